@@ -27,8 +27,8 @@ const LessonStep &stepAt(const OpenedSession &opened, int counted) {
 }
 
 /// The flat picture of a figure that is on its stage; why there is none.
-Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
-                                const Figure &whole, SceneContent content, const Typesetter &typesetter) {
+Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &opened, const Figure &whole,
+                             SceneContent content, const Typesetter &typesetter) {
   const auto frame = opened.lesson && opened.lesson->flat
                          ? flatFrame(*opened.lesson->flat, opened.session.scene)
                          : std::nullopt;
@@ -98,7 +98,7 @@ public:
       tellWhereOverfull(m_setting.beginning->figure);
   }
 
-  [[nodiscard]] Result<LabelPicture> draw(const Evaluation &evaluation) {
+  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) {
     PictureRequest request;
     request.content = contentOf(m_command, m_opened, evaluation, m_setting.stage);
     request.labelledLike = m_setting.beginning;

@@ -28,7 +28,7 @@ PictureExport::PictureExport(const SessionModel &model, SceneView &scene, const 
     : QObject(parent), m_model(model), m_scene(scene), m_look(look), m_typesetter(typesetter),
       m_messages(messages) {}
 
-std::optional<LabelPicture> PictureExport::draw() {
+std::optional<RgbaImage> PictureExport::draw() {
   PictureRequest request;
   request.content = m_scene.drawn().pictureContent();
   request.camera = m_scene.viewpoint().camera();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/panels/messages.h"
-#include "widgets/picture/labels/label_picture.h"
+#include "widgets/picture/rgba_image.h"
 
 #include <QObject>
 
@@ -30,7 +30,7 @@ public:
   void copy();
 
 private:
-  [[nodiscard]] std::optional<LabelPicture> draw();
+  [[nodiscard]] std::optional<RgbaImage> draw();
 
   const SessionModel &m_model;
   SceneView &m_scene;

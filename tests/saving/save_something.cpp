@@ -52,7 +52,7 @@ Save savingSettings(const std::string &file, int x) {
 /// Noise, which PNG cannot make small.
 Save savingPicture(const std::string &file, unsigned seed) {
   constexpr int side = 64;
-  LabelPicture picture{side, side, std::vector<std::uint8_t>(std::size_t{4} * side * side)};
+  RgbaImage picture{side, side, std::vector<std::uint8_t>(std::size_t{4} * side * side)};
   std::mt19937 noise(seed);
   for (std::uint8_t &byte : picture.rgba)
     byte = static_cast<std::uint8_t>(noise());

@@ -200,7 +200,7 @@ void expectAllIsBounded(const Prepared &made) {
 }
 
 /// Every given point is where the camera has it, within the picture, and solid.
-void expectGivenPointsSeen(const Prepared &made, const LabelPicture &picture) {
+void expectGivenPointsSeen(const Prepared &made, const RgbaImage &picture) {
   int seen = 0;
   for (const Mark &mark : made.content.figure.marks) {
     const auto *point = std::get_if<PointMark>(&mark);

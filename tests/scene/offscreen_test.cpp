@@ -13,7 +13,7 @@ namespace halfspace {
 namespace {
 
 /// The middle of all pixels that are more orange than anything else in the picture is.
-glm::dvec2 middleOfOrange(const LabelPicture &picture) {
+glm::dvec2 middleOfOrange(const RgbaImage &picture) {
   glm::dvec2 sum(0);
   double count = 0;
   for (int y = 0; y < picture.height; ++y)
@@ -170,7 +170,7 @@ TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {
   request.size = {1280, 800};
   const auto large = drawOffscreen(request, noLabels);
   ASSERT_TRUE(small && large);
-  const auto orangePixels = [](const LabelPicture &picture) {
+  const auto orangePixels = [](const RgbaImage &picture) {
     double count = 0;
     for (int y = 0; y < picture.height; ++y)
       for (int x = 0; x < picture.width; ++x)

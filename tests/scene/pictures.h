@@ -15,13 +15,13 @@ struct Rgba {
   bool operator==(const Rgba &) const = default;
 };
 
-inline Rgba pixelAt(const LabelPicture &picture, int x, int y) {
+inline Rgba pixelAt(const RgbaImage &picture, int x, int y) {
   const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                              static_cast<std::size_t>(x));
   return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2], picture.rgba[i + 3]};
 }
 
-inline Rgba pixelAt(const LabelPicture &picture, glm::dvec3 pixel) {
+inline Rgba pixelAt(const RgbaImage &picture, glm::dvec3 pixel) {
   return pixelAt(picture, static_cast<int>(std::floor(pixel.x)), static_cast<int>(std::floor(pixel.y)));
 }
 
@@ -35,7 +35,7 @@ struct Labels {
 inline const Labels noLabels{[](const std::string &) { return std::make_shared<const math::Layout>(); }, {}};
 
 /// By a painter of its own.
-inline Result<LabelPicture> drawOffscreen(const PictureRequest &request, const Labels &labels) {
+inline Result<RgbaImage> drawOffscreen(const PictureRequest &request, const Labels &labels) {
   return OffscreenPainter(labels.set, labels.paint).draw(request);
 }
 

@@ -15,7 +15,7 @@
 namespace halfspace {
 namespace {
 
-LabelPicture fourPixels() { return {2, 2, {255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 1, 9, 8, 7, 0}}; }
+RgbaImage fourPixels() { return {2, 2, {255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 1, 9, 8, 7, 0}}; }
 
 struct Png : testing::Test {
   std::filesystem::path folder =

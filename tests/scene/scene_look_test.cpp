@@ -18,14 +18,14 @@ namespace {
 
 Figure pointQ() { return {{withId(pointAt({11, 15, 8}), "Q", Subject::Point)}}; }
 
-LabelPicture pictureOf(const PictureRequest &request) {
+RgbaImage pictureOf(const PictureRequest &request) {
   auto picture = drawOffscreen(request, noLabels);
   EXPECT_TRUE(picture);
-  return picture ? std::move(*picture) : LabelPicture();
+  return picture ? std::move(*picture) : RgbaImage();
 }
 
 /// How many pixels of two pictures of a size differ by more than a trace.
-int differences(const LabelPicture &a, const LabelPicture &b) {
+int differences(const RgbaImage &a, const RgbaImage &b) {
   int count = 0;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
@@ -39,7 +39,7 @@ int differences(const LabelPicture &a, const LabelPicture &b) {
 /// The picture of a content and how it differs from that of the same content after a change.
 int changedBy(const std::function<void(PictureRequest &)> &change) {
   PictureRequest request = requestFor(pointQ());
-  const LabelPicture before = pictureOf(request);
+  const RgbaImage before = pictureOf(request);
   change(request);
   return differences(before, pictureOf(request));
 }
@@ -66,7 +66,7 @@ TEST(Look, OfAMarkThatStandsOut_IsAnother) {
 TEST(Look, OfAMarkThatIsNotThereYet_IsThatOfNone) {
   PictureRequest request = requestFor(pointQ());
   request.content.arrival = {{"Q"}, 0};
-  const LabelPicture arriving = pictureOf(request);
+  const RgbaImage arriving = pictureOf(request);
   // The axes reach as far as the figure, so that the place of a mark is known before it is there.
   PictureRequest other = requestFor({{withId(pointAt({11, 15, 8}), "R", Subject::Point)}});
   other.content.arrival = {{"R"}, 0};
@@ -76,9 +76,9 @@ TEST(Look, OfAMarkThatIsNotThereYet_IsThatOfNone) {
 
 TEST(Look, OnAStageFarFromTheGround_HasNeitherGridNorAxes) {
   PictureRequest request = requestFor({});
-  const LabelPicture usual = pictureOf(request);
+  const RgbaImage usual = pictureOf(request);
   request.content.stage.middle = {1000, 1000, 1000};
-  const LabelPicture bare = pictureOf(request);
+  const RgbaImage bare = pictureOf(request);
   EXPECT_GT(differences(usual, bare), 500);
   // The background alone: each row has one colour, which newer versions of VTK dither by one step.
   constexpr int ditherStep = 1;
@@ -97,7 +97,7 @@ TEST(Look, OfEachTheme_HasItsBackgroundFromTopToBottom) {
     PictureRequest request = requestFor({});
     request.theme = theme;
     request.content.stage.middle = {1000, 1000, 1000};
-    const LabelPicture picture = pictureOf(request);
+    const RgbaImage picture = pictureOf(request);
     const auto isNear = [](Rgba pixel, Color color) {
       return std::abs(pixel.red - color.red) + std::abs(pixel.green - color.green) +
                  std::abs(pixel.blue - color.blue) <
@@ -112,7 +112,7 @@ TEST(Look, AtTwiceThePixelRatio_HasThickerLinesInTheSamePlaces) {
   const auto orangePixels = [](double pixelRatio) {
     PictureRequest request = requestFor(pointQ());
     request.pixelRatio = pixelRatio;
-    const LabelPicture picture = pictureOf(request);
+    const RgbaImage picture = pictureOf(request);
     int count = 0;
     for (int y = 0; y < picture.height; ++y)
       for (int x = 0; x < picture.width; ++x)

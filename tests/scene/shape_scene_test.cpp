@@ -32,9 +32,9 @@ math::Layout smallFormula() {
   return formula;
 }
 
-std::shared_ptr<const LabelPicture> paintMagenta(const LabelFormula &formula, const LabelStyle &style) {
+std::shared_ptr<const RgbaImage> paintMagenta(const LabelFormula &formula, const LabelStyle &style) {
   const LabelRoom room = roomOf(*formula, style);
-  auto picture = std::make_shared<LabelPicture>();
+  auto picture = std::make_shared<RgbaImage>();
   picture->width = room.width;
   picture->height = room.height;
   for (int i = 0; i < room.width * room.height; ++i)

@@ -28,7 +28,7 @@ public:
   void lowerBy(int pixels);
 
 private:
-  using Picture = std::shared_ptr<const LabelPicture>;
+  using Picture = std::shared_ptr<const RgbaImage>;
   struct Sprite;
 
   [[nodiscard]] Sprite &sprite(std::size_t number);

@@ -44,7 +44,7 @@ void divideByAlpha(std::vector<std::uint8_t> &rgba) {
 }
 
 /// Copies what the window shows into the rows of a picture from `top` on.
-void readStrip(vtkRenderWindow *window, LabelPicture &picture, int top, int height) {
+void readStrip(vtkRenderWindow *window, RgbaImage &picture, int top, int height) {
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, picture.width - 1, height - 1, 0, pixels);
   const auto bytesAbove = static_cast<std::ptrdiff_t>(top) * picture.width * 4;
@@ -90,10 +90,10 @@ public:
     return words("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2.");
   }
 
-  [[nodiscard]] LabelPicture draw(const PictureRequest &request) {
+  [[nodiscard]] RgbaImage draw(const PictureRequest &request) {
     m_scene.show(compose(request));
     const auto [width, height] = request.size;
-    LabelPicture picture{width, height, {}};
+    RgbaImage picture{width, height, {}};
     picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     const int highestStrip = std::max(1, mostPixelsAtOnce / width);
     for (int top = 0; top < height; top += highestStrip) {
@@ -135,12 +135,12 @@ OffscreenPainter::~OffscreenPainter() {
   m_thread.run([this] { m_studio.reset(); });
 }
 
-Result<LabelPicture> OffscreenPainter::draw(const PictureRequest &request) {
+Result<RgbaImage> OffscreenPainter::draw(const PictureRequest &request) {
   const auto [width, height] = request.size;
   if (width < 1 || height < 1 || width > maxPictureSide || height > maxPictureSide)
     return problem(words("A picture of {size} pixels cannot be drawn: each side must be 1 to {most} pixels.",
                          {{"size", inWords(request.size)}, {"most", std::to_string(maxPictureSide)}}));
-  Result<LabelPicture> result = problem("");
+  Result<RgbaImage> result = problem("");
   try {
     m_thread.run([&] { result = drawInThread(request); });
   } catch (const std::bad_alloc &) {
@@ -151,7 +151,7 @@ Result<LabelPicture> OffscreenPainter::draw(const PictureRequest &request) {
   return result;
 }
 
-Result<LabelPicture> OffscreenPainter::drawInThread(const PictureRequest &request) {
+Result<RgbaImage> OffscreenPainter::drawInThread(const PictureRequest &request) {
   if (!m_studio) {
     auto studio = std::make_unique<Studio>(m_set, m_labels);
     if (const std::string failure = studio->failure(); !failure.empty())

@@ -41,11 +41,11 @@ public:
 
   /// A picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence where no
   /// OpenGL 3.2 is to be had, and where there is not enough memory: then the next begins anew.
-  [[nodiscard]] Result<LabelPicture> draw(const PictureRequest &request);
+  [[nodiscard]] Result<RgbaImage> draw(const PictureRequest &request);
 
 private:
   class Studio;
-  [[nodiscard]] Result<LabelPicture> drawInThread(const PictureRequest &request);
+  [[nodiscard]] Result<RgbaImage> drawInThread(const PictureRequest &request);
 
   LabelSetter m_set;
   LabelPainter m_labels;

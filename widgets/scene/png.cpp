@@ -10,7 +10,7 @@
 #include <vtkUnsignedCharArray.h>
 
 namespace halfspace {
-std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file) {
+std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem::path &file) {
   if (picture.width < 1 || picture.height < 1)
     return Problem{words("The picture is empty."), file.string(), 0, {}};
   vtkNew<vtkImageData> image;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/result.h"
-#include "widgets/picture/labels/label_picture.h"
+#include "widgets/picture/rgba_image.h"
 
 #include <filesystem>
 #include <optional>
@@ -10,6 +10,6 @@
 namespace halfspace {
 
 /// Writes a PNG file, as writeFile does.
-[[nodiscard]] std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file);
+[[nodiscard]] std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem::path &file);
 
 } // namespace halfspace

@@ -12,7 +12,7 @@ void copyUpsideDown(const std::uint8_t *from, std::uint8_t *to, int width, int h
     std::copy_n(from + row * rowBytes, rowBytes, to + (height - 1 - row) * rowBytes);
 }
 
-void write(const LabelPicture &picture, vtkImageData *image) {
+void write(const RgbaImage &picture, vtkImageData *image) {
   image->SetDimensions(picture.width, picture.height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   copyUpsideDown(picture.rgba.data(), static_cast<std::uint8_t *>(image->GetScalarPointer()), picture.width,

@@ -1,7 +1,7 @@
 // Pictures as VTK has them: rows from bottom to top, where ours go from top to bottom.
 #pragma once
 
-#include "widgets/picture/labels/label_picture.h"
+#include "widgets/picture/rgba_image.h"
 
 class vtkImageData;
 
@@ -11,6 +11,6 @@ namespace halfspace {
 void copyUpsideDown(const std::uint8_t *from, std::uint8_t *to, int width, int height);
 
 /// Fills an image with the picture.
-void write(const LabelPicture &picture, vtkImageData *image);
+void write(const RgbaImage &picture, vtkImageData *image);
 
 } // namespace halfspace

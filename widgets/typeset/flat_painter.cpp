@@ -76,8 +76,8 @@ void FlatPainter::paint(QPainter &painter, const SceneContent &content, const Th
   painter.setOpacity(1);
 }
 
-LabelPicture drawFlat(const SceneContent &content, const Theme &theme, const View &view, bool isTransparent,
-                      const Typesetter &typesetter) {
+RgbaImage drawFlat(const SceneContent &content, const Theme &theme, const View &view, bool isTransparent,
+                   const Typesetter &typesetter) {
   QImage image(view.size.width, view.size.height, QImage::Format_ARGB32_Premultiplied);
   if (image.isNull()) // as Qt tells it
     throw std::bad_alloc();

@@ -26,7 +26,7 @@ private:
 
 /// The same as a picture for a file, on the theme's background or on none. Throws std::bad_alloc where there
 /// is not enough memory for it.
-[[nodiscard]] LabelPicture drawFlat(const SceneContent &content, const Theme &theme, const View &view,
-                                    bool isTransparent, const Typesetter &typesetter);
+[[nodiscard]] RgbaImage drawFlat(const SceneContent &content, const Theme &theme, const View &view,
+                                 bool isTransparent, const Typesetter &typesetter);
 
 } // namespace halfspace

@@ -26,11 +26,11 @@ auto qHash(const Label &label) { return ::qHash(label.formula.get()); }
 
 } // namespace
 
-LabelPicture fromImage(const QImage &image) {
+RgbaImage fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
   if (straight.isNull() && !image.isNull()) // as Qt tells it
     throw std::bad_alloc();
-  LabelPicture picture{straight.width(), straight.height(), {}};
+  RgbaImage picture{straight.width(), straight.height(), {}};
   const auto rowBytes = static_cast<std::size_t>(picture.width) * 4;
   picture.rgba.resize(rowBytes * static_cast<std::size_t>(picture.height));
   for (int row = 0; row < picture.height; ++row)
@@ -39,7 +39,7 @@ LabelPicture fromImage(const QImage &image) {
   return picture;
 }
 
-LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
+RgbaImage paintLabel(const MathPicture &formula, const LabelStyle &style) {
   const double em = style.pixelSize;
   const LabelRoom room = roomOf(*formula.layout(), style);
   QImage image(room.width, room.height, QImage::Format_ARGB32_Premultiplied);
@@ -53,13 +53,13 @@ LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
 }
 
 LabelPainter labelPainter(const Typesetter &typesetter) {
-  using Picture = std::shared_ptr<const LabelPicture>;
+  using Picture = std::shared_ptr<const RgbaImage>;
   return [&typesetter, kept = std::make_shared<QCache<Label, Picture>>(mostKept)](
              const LabelFormula &formula, const LabelStyle &style) -> Picture {
     const Label label{formula, style};
     if (const Picture *picture = kept->object(label))
       return *picture;
-    auto picture = std::make_shared<const LabelPicture>(paintLabel(*typesetter.picture(formula), style));
+    auto picture = std::make_shared<const RgbaImage>(paintLabel(*typesetter.picture(formula), style));
     kept->insert(label, new Picture(picture));
     return picture;
   };

@@ -15,9 +15,9 @@ class Typesetter;
 [[nodiscard]] LabelPainter labelPainter(const Typesetter &typesetter);
 
 /// The picture of a formula in the style's ink on its halo.
-[[nodiscard]] LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style);
+[[nodiscard]] RgbaImage paintLabel(const MathPicture &formula, const LabelStyle &style);
 
 /// The same pixels.
-[[nodiscard]] LabelPicture fromImage(const QImage &image);
+[[nodiscard]] RgbaImage fromImage(const QImage &image);
 
 } // namespace halfspace

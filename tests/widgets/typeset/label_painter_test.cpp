@@ -16,7 +16,7 @@ struct Texel {
   int red, green, blue, alpha;
 };
 
-Texel at(const LabelPicture &label, int x, int y) {
+Texel at(const RgbaImage &label, int x, int y) {
   const std::size_t i = 4 * static_cast<std::size_t>(y * label.width + x);
   return {label.rgba[i], label.rgba[i + 1], label.rgba[i + 2], label.rgba[i + 3]};
 }

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "widgets/formula/layout.h"
+#include "widgets/picture/rgba_image.h"
 #include "widgets/picture/theme.h"
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace halfspace {
 
@@ -37,17 +37,9 @@ struct LabelRoom {
 
 [[nodiscard]] LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style);
 
-/// A label as an image: rows from top to bottom, four bytes a pixel (red, green, blue, straight alpha), one
-/// texel for one pixel of the screen.
-struct LabelPicture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgba;
-};
-
-/// Paints what was set, as large as its room; never null. The same request gives the same object again for as
-/// long as it is in use from frame to frame.
+/// Paints what was set, as large as its room, one texel for one pixel of the screen; never null. The same
+/// request gives the same object again for as long as it is in use from frame to frame.
 using LabelPainter =
-    std::function<std::shared_ptr<const LabelPicture>(const LabelFormula &formula, const LabelStyle &style)>;
+    std::function<std::shared_ptr<const RgbaImage>(const LabelFormula &formula, const LabelStyle &style)>;
 
 } // namespace halfspace
