@@ -270,6 +270,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
 const std::vector<std::string> &instructionBlocks() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(instructions.size());
     for (const Instruction &instruction : instructions)
       all.emplace_back(instruction.word);
     return all;
