@@ -1,4 +1,4 @@
-// The values that say where a point lies in a face.
+// What says where a point lies in a face: values, and whole sentences.
 #pragma once
 
 #include "geometry/intersect_ray_triangle.h"
@@ -21,6 +21,27 @@ template <class Out> [[nodiscard]] ValueTable<Out> placeRows(When<Out> hasPlace,
   return {{named::word("location", {"interior", "edge", "vertex", "outside"}), hasPlace,
            [place](const Out &at) { return ToldValue(words("place"), wordOf(place(at).part)); }},
           featureRow<Out>(hasPlace, place)};
+}
+
+/// A sentence for each part of a face. What names the edge or the corner stands in places that it has alone.
+struct PlaceSentences {
+  Sentence inside;
+  Sentence onEdge;
+  Sentence atCorner;
+  Sentence outside{""}; ///< none where it is not said of points outside
+};
+[[nodiscard]] inline const char *sentenceFor(FacePart part, const PlaceSentences &sentences) {
+  switch (part) {
+  case FacePart::Interior:
+    return sentences.inside.english;
+  case FacePart::Edge:
+    return sentences.onEdge.english;
+  case FacePart::Vertex:
+    return sentences.atCorner.english;
+  case FacePart::Outside:
+    break;
+  }
+  return sentences.outside.english;
 }
 
 } // namespace halfspace

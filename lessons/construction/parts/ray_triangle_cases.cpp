@@ -48,22 +48,28 @@ void addShifted(const RayAtTriangle &at, std::vector<SpecialCase> &all) {
   }
 }
 
-} // namespace
-
-std::string placeWords(const FaceLocation &location, const TriangleTerms &corners) {
+/// The edge or the corner that a point lies on, for sentences: {edge}, {corner}.
+WordValues placeValues(const FaceLocation &location, const TriangleTerms &corners) {
   switch (location.part) {
-  case FacePart::Interior:
-    return words("inside the triangle");
   case FacePart::Edge: // named by the corner opposite to it
-    return words("on the edge {edge}",
-                 {{"edge", edgeName(cornerAt(corners, location.feature == 0 ? 1 : 0)->symbol,
-                                    cornerAt(corners, location.feature == 2 ? 1 : 2)->symbol)}});
+    return {{"edge", edgeName(cornerAt(corners, location.feature == 0 ? 1 : 0)->symbol,
+                              cornerAt(corners, location.feature == 2 ? 1 : 2)->symbol)}};
   case FacePart::Vertex:
-    return words("at the corner {corner}", {{"corner", plainText(cornerAt(corners, location.feature))}});
+    return {{"corner", plainText(cornerAt(corners, location.feature))}};
+  case FacePart::Interior:
   case FacePart::Outside:
     break;
   }
-  return words("outside the triangle");
+  return {};
+}
+
+} // namespace
+
+std::string placeWords(const FaceLocation &location, const TriangleTerms &corners,
+                       const PlaceSentences &sentences, WordValues values) {
+  for (auto &value : placeValues(location, corners))
+    values.push_back(std::move(value));
+  return words(sentenceFor(location.part, sentences), values);
 }
 
 std::pair<Term, Term> coincidentCorners(const TriangleObject &triangle, const TriangleTerms &corners) {
@@ -71,15 +77,15 @@ std::pair<Term, Term> coincidentCorners(const TriangleObject &triangle, const Tr
   return {p0 == p1 || p0 == p2 ? corners.P0 : corners.P1, p0 == p1 ? corners.P1 : corners.P2};
 }
 
-std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners) {
+std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners,
+                            const CoincidentSentences &sentences) {
   const auto &[p0, p1, p2] = triangle;
   if (p0 == p1 && p0 == p2)
-    return words("{first}, {second} and {third} are the same point", {{"first", plainText(corners.P0)},
-                                                                      {"second", plainText(corners.P1)},
-                                                                      {"third", plainText(corners.P2)}});
+    return words(sentences.three.english, {{"first", plainText(corners.P0)},
+                                           {"second", plainText(corners.P1)},
+                                           {"third", plainText(corners.P2)}});
   const auto [first, second] = coincidentCorners(triangle, corners);
-  return words("{first} and {second} are the same point",
-               {{"first", plainText(first)}, {"second", plainText(second)}});
+  return words(sentences.two.english, {{"first", plainText(first)}, {"second", plainText(second)}});
 }
 
 Surd cosineOf(const TrianglePerps<Rational> &perps) {

@@ -84,12 +84,24 @@ template <class Out> [[nodiscard]] LineTable<Out> sideLines() {
 /// The line of their cross product.
 [[nodiscard]] WorkingLine sidesNormalLine(const Term &n, const Term &u, const Term &v, std::string sentence);
 
-/// Where a point is in the triangle's plane, for people: inside the triangle, on the edge P₀P₁ …
-[[nodiscard]] std::string placeWords(const FaceLocation &location, const TriangleTerms &corners);
+/// The sentence for where a point is in the triangle's plane: it names an edge as {edge}, a corner as
+/// {corner}, and has the values in its other places.
+[[nodiscard]] std::string placeWords(const FaceLocation &location, const TriangleTerms &corners,
+                                     const PlaceSentences &sentences, WordValues values = {});
 
-/// Which corners are one point, for people: P₀ and P₁ are the same point. Requires a triangle with such
-/// corners.
-[[nodiscard]] std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners);
+/// Of a hit, at {lambda}.
+inline constexpr PlaceSentences hitSentences{says("The ray hits inside the triangle, at {lambda}."),
+                                             says("The ray hits on the edge {edge}, at {lambda}."),
+                                             says("The ray hits at the corner {corner}, at {lambda}.")};
+
+/// Sentences for corners that are one point: two of them, {first} and {second}, or all, with {third}.
+struct CoincidentSentences {
+  Sentence two;
+  Sentence three;
+};
+/// The one for a triangle with such corners.
+[[nodiscard]] std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners,
+                                          const CoincidentSentences &sentences);
 
 /// Two corners that are one point, for a triangle with such.
 [[nodiscard]] std::pair<Term, Term> coincidentCorners(const TriangleObject &triangle,

@@ -44,32 +44,27 @@ struct Out : Computed<In>, TriangleTerms {
       drawnName(letter("B"), ExactVec3(triangle.p0 *weights[0] + triangle.p1 * Rational(1 - weights[0])));
 };
 
-/// ρ = 1/3, σ = 1/6, τ = 1/2
+/// ρ = 1/3, σ = 1/6, τ = 1/2, and the letter of the point.
 WordValues weightWords(const Out &at) {
-  return {{"rho", equation(at.rho)}, {"sigma", equation(at.sigma)}, {"tau", equation(at.tau)}};
+  return {{"Q", plainText(at.in.Q.symbol)},
+          {"rho", equation(at.rho)},
+          {"sigma", equation(at.sigma)},
+          {"tau", equation(at.tau)}};
 }
 
 std::string locationSentence(const Out &at) {
-  const WordValues weights = weightWords(at);
-  const std::pair<std::string_view, std::string> Q{"Q", plainText(at.in.Q.symbol)};
-  const std::pair<std::string_view, std::string> place{"place", placeWords(at.weighed.location, at)};
-  switch (at.weighed.location.part) {
-  case FacePart::Interior:
-    return words("All three weights are positive: {Q} is {place}. {rho}, {sigma}, {tau}.", weights,
-                 {Q, place});
-  case FacePart::Edge:
-    return words("One weight is 0 and the others are positive: {Q} is {place}. {rho}, {sigma}, {tau}.",
-                 weights, {Q, place});
-  case FacePart::Vertex:
-    return words("One weight is 1 and the others are 0: {Q} is {place}. {rho}, {sigma}, {tau}.", weights,
-                 {Q, place});
-  case FacePart::Outside:
-    break;
-  }
   const auto &all = at.weights;
-  return std::count_if(all.begin(), all.end(), [](const Rational &weight) { return weight < 0; }) == 1
-             ? words("One weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place})
-             : words("Two weights are negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place});
+  const bool isBeyondOneEdge =
+      std::count_if(all.begin(), all.end(), [](const Rational &weight) { return weight < 0; }) == 1;
+  return placeWords(
+      at.weighed.location, at,
+      {says("All three weights are positive: {Q} is inside the triangle. {rho}, {sigma}, {tau}."),
+       says("One weight is 0 and the others are positive: {Q} is on the edge {edge}. {rho}, {sigma}, {tau}."),
+       says("One weight is 1 and the others are 0: {Q} is at the corner {corner}. {rho}, {sigma}, {tau}."),
+       isBeyondOneEdge
+           ? says("One weight is negative: {Q} is outside the triangle. {rho}, {sigma}, {tau}.")
+           : says("Two weights are negative: {Q} is outside the triangle. {rho}, {sigma}, {tau}.")},
+      weightWords(at));
 }
 
 CaseWords tell(const Out &at) {
@@ -82,8 +77,11 @@ CaseWords tell(const Out &at) {
                   at.letters)};
   case BarycentricCase::Coincident:
     return {"coincident",
-            words("{same}: this is no triangle, and there is no area to share.",
-                  {{"same", coincidentWords(at.in.T.object, at)}}),
+            coincidentWords(at.in.T.object, at,
+                            {says("{first} and {second} are the same point: this is no triangle, and there "
+                                  "is no area to share."),
+                             says("{first}, {second} and {third} are the same point: this is no triangle, "
+                                  "and there is no area to share.")}),
             true};
   case BarycentricCase::Collinear:
     break;
@@ -153,8 +151,12 @@ WorkingLine lastWeightLine(const Out &at) {
 }
 
 WorkingLine placeLine(const Out &at) {
-  return resultsLine({at.rho, at.sigma, at.tau},
-                     words("{Q} is {place}.", at.letters, {{"place", placeWords(at.weighed.location, at)}}));
+  return resultsLine(
+      {at.rho, at.sigma, at.tau},
+      placeWords(at.weighed.location, at,
+                 {says("{Q} is inside the triangle."), says("{Q} is on the edge {edge}."),
+                  says("{Q} is at the corner {corner}."), says("{Q} is outside the triangle.")},
+                 at.letters));
 }
 
 WorkingLine cutLine(const Out &at) {

@@ -128,12 +128,14 @@ std::string countWords(const Out &at) {
 
 CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
-  const WordValues found{{"place", placeWords(at.meet.location, at)},
-                         {"lambda", equation(at.lambda)},
-                         {"count", countWords(at)}};
+  const WordValues found{{"lambda", equation(at.lambda)}, {"count", countWords(at)}};
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {caseName, words("The ray hits {place}, at {lambda}. {count}", found)};
+    return {caseName, placeWords(at.meet.location, at,
+                                 {says("The ray hits inside the triangle, at {lambda}. {count}"),
+                                  says("The ray hits on the edge {edge}, at {lambda}. {count}"),
+                                  says("The ray hits at the corner {corner}, at {lambda}. {count}")},
+                                 found)};
   case RayTriangleCase::Behind:
     return {caseName,
             words("The triangle is behind the ray: only its line goes through, at {lambda}. {count}", found)};
@@ -146,7 +148,10 @@ CaseWords tell(const Out &at) {
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:
-    return {caseName, words("{same}: this is no triangle.", {{"same", coincidentWords(at.in.T.object, at)}}),
+    return {caseName,
+            coincidentWords(at.in.T.object, at,
+                            {says("{first} and {second} are the same point: this is no triangle."),
+                             says("{first}, {second} and {third} are the same point: this is no triangle.")}),
             true};
   case RayTriangleCase::Collinear:
     break;

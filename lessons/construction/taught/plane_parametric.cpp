@@ -45,26 +45,22 @@ struct Out : Computed<In>, TriangleTerms {
 
 /// What the signs of the three shares say.
 std::string sharesWords(const Out &at) {
-  const std::string place = placeWords(at.meet.location, at);
-  switch (at.meet.location.part) {
-  case FacePart::Interior:
-    return words("All three are positive: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Edge:
-    return words("One is 0 and the others are positive: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Vertex:
-    return words("Two are 0: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Outside:
-    break;
-  }
-  return words("At least one is negative: {P} is {place}.", at.letters, {{"place", place}});
+  return placeWords(at.meet.location, at,
+                    {says("All three are positive: {P} is inside the triangle."),
+                     says("One is 0 and the others are positive: {P} is on the edge {edge}."),
+                     says("Two are 0: {P} is at the corner {corner}."),
+                     says("At least one is negative: {P} is outside the triangle.")},
+                    at.letters);
 }
 
 CaseWords tell(const Out &at) {
   if (at.isInPlane)
-    return {
-        "in-plane",
-        words("{P} is {place}: {s}, {t}.", at.letters,
-              {{"place", placeWords(at.meet.location, at)}, {"s", equation(at.s)}, {"t", equation(at.t)}})};
+    return {"in-plane", placeWords(at.meet.location, at,
+                                   {says("{P} is inside the triangle: {s}, {t}."),
+                                    says("{P} is on the edge {edge}: {s}, {t}."),
+                                    says("{P} is at the corner {corner}: {s}, {t}."),
+                                    says("{P} is outside the triangle: {s}, {t}.")},
+                                   {{"P", plainText(at.P)}, {"s", equation(at.s)}, {"t", equation(at.t)}})};
   if (at.isTriangle)
     return {"off-plane",
             words("{P} does not lie in the triangle's plane: no s and t lead to it.", at.letters)};

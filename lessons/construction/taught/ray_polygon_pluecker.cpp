@@ -82,21 +82,13 @@ struct Out : Computed<In>, RayTerms {
   }
 };
 
-/// For people: the inside of the polygon, the edge P₀P₁ …
-std::string partWords(const Out &at) {
+/// The sentence for the part of the polygon that the line goes through.
+std::string partWords(const Out &at, const PlaceSentences &sentences) {
   const FaceLocation &location = at.meet.location;
   const auto feature = static_cast<std::size_t>(std::max(location.feature, 0));
-  switch (location.part) {
-  case FacePart::Interior:
-    return words("the inside of the polygon");
-  case FacePart::Edge:
-    return words("the edge {edge}", {{"edge", at.edgeNamed(feature)}});
-  case FacePart::Vertex:
-    return words("the corner {corner}", {{"corner", plainText(at.corner(feature))}});
-  case FacePart::Outside:
-    break;
-  }
-  return words("the plane outside the polygon");
+  return words(
+      sentenceFor(location.part, sentences),
+      {{"t", equation(at.t)}, {"edge", at.edgeNamed(feature)}, {"corner", plainText(at.corner(feature))}});
 }
 
 /// Why corners in a plane are not those of a convex polygon.
@@ -128,16 +120,24 @@ std::string notConvexWords(const Out &at) {
 
 CaseWords tellMeeting(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
-  const std::pair<std::string_view, std::string> t{"t", equation(at.t)};
-  const std::pair<std::string_view, std::string> part{"part", partWords(at)};
   switch (at.meet.which) {
   case RayPolygonCase::Hit:
-    return {caseName,
-            words("No two products differ in sign: the ray goes through {part}, at {t}.", {part, t})};
+    return {
+        caseName,
+        partWords(
+            at,
+            {says("No two products differ in sign: the ray goes through the inside of the polygon, at {t}."),
+             says("No two products differ in sign: the ray goes through the edge {edge}, at {t}."),
+             says("No two products differ in sign: the ray goes through the corner {corner}, at {t}.")})};
   case RayPolygonCase::Behind:
-    return {caseName, words("No two products differ in sign, so the line of the ray goes through {part}. But "
-                            "{t} is negative: that is behind the ray's start.",
-                            {part, t})};
+    return {
+        caseName,
+        partWords(at, {says("No two products differ in sign, so the line of the ray goes through the inside "
+                            "of the polygon. But {t} is negative: that is behind the ray's start."),
+                       says("No two products differ in sign, so the line of the ray goes through the edge "
+                            "{edge}. But {t} is negative: that is behind the ray's start."),
+                       says("No two products differ in sign, so the line of the ray goes through the corner "
+                            "{corner}. But {t} is negative: that is behind the ray's start.")})};
   case RayPolygonCase::Miss:
     return {caseName, words("Two products differ in sign: the line of the ray passes outside the polygon.")};
   case RayPolygonCase::Parallel:
@@ -211,7 +211,10 @@ std::string commonSignWords(const Out &at) {
     return words("All are 0: the ray and all edges lie in one plane.");
   if (signs == ProductSigns::Mixed)
     return words("Both signs are there: the line of the ray passes outside the polygon.");
-  return words("No two differ in sign: the line of the ray goes through {part}.", {{"part", partWords(at)}});
+  return partWords(
+      at, {says("No two differ in sign: the line of the ray goes through the inside of the polygon."),
+           says("No two differ in sign: the line of the ray goes through the edge {edge}."),
+           says("No two differ in sign: the line of the ray goes through the corner {corner}.")});
 }
 
 std::string sumWords(const Out &at) {

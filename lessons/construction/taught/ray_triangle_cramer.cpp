@@ -35,15 +35,19 @@ struct Out : RayAtTriangle {
 
 CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
-  const std::string place = placeWords(at.meet.location, at);
+  const WordValues lambda{{"lambda", equation(at.lambda)}};
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {caseName,
-            words("The ray hits {place}, at {lambda}.", {{"place", place}, {"lambda", equation(at.lambda)}})};
+    return {caseName, placeWords(at.meet.location, at, hitSentences, lambda)};
   case RayTriangleCase::Behind:
-    return {caseName, words("{lambda} is negative: the triangle is behind the ray's start. Only the line "
-                            "backwards meets it, {place}.",
-                            {{"place", place}, {"lambda", equation(at.lambda)}})};
+    return {caseName, placeWords(at.meet.location, at,
+                                 {says("{lambda} is negative: the triangle is behind the ray's start. Only "
+                                       "the line backwards meets it, inside the triangle."),
+                                  says("{lambda} is negative: the triangle is behind the ray's start. Only "
+                                       "the line backwards meets it, on the edge {edge}."),
+                                  says("{lambda} is negative: the triangle is behind the ray's start. Only "
+                                       "the line backwards meets it, at the corner {corner}.")},
+                                 lambda)};
   case RayTriangleCase::Miss:
     return {caseName,
             words("The line meets the triangle's plane outside the triangle: {sigma}, {tau}, {sum}.",
@@ -59,10 +63,12 @@ CaseWords tell(const Out &at) {
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:
-    return {
-        caseName,
-        words("{same}: this is no triangle, and D is 0.", {{"same", coincidentWords(at.in.T.object, at)}}),
-        true};
+    return {caseName,
+            coincidentWords(
+                at.in.T.object, at,
+                {says("{first} and {second} are the same point: this is no triangle, and D is 0."),
+                 says("{first}, {second} and {third} are the same point: this is no triangle, and D is 0.")}),
+            true};
   case RayTriangleCase::Collinear:
     break;
   }
@@ -124,10 +130,17 @@ WorkingLine shareLine(const Out &at, const Term &share, const Term &numerator, c
 }
 
 WorkingLine placeLine(const Out &at) {
-  return resultsLine(
-      {1 - at.sigma - at.tau, at.sigma, at.tau},
-      words("These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane {place}.",
-            at.letters, {{"place", placeWords(at.meet.location, at)}}));
+  return resultsLine({1 - at.sigma - at.tau, at.sigma, at.tau},
+                     placeWords(at.meet.location, at,
+                                {says("These are the weights of {P0}, {P1} and {P2}. The line of the ray "
+                                      "meets the plane inside the triangle."),
+                                 says("These are the weights of {P0}, {P1} and {P2}. The line of the ray "
+                                      "meets the plane on the edge {edge}."),
+                                 says("These are the weights of {P0}, {P1} and {P2}. The line of the ray "
+                                      "meets the plane at the corner {corner}."),
+                                 says("These are the weights of {P0}, {P1} and {P2}. The line of the ray "
+                                      "meets the plane outside the triangle.")},
+                                at.letters));
 }
 
 std::string parameterWords(const Out &at) {

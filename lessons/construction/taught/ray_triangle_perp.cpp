@@ -32,16 +32,20 @@ struct Out : RayByPerps {
 };
 
 CaseWords tell(const Out &at) {
-  const std::string lambda = equation(at.lambda);
+  const WordValues lambda{{"lambda", equation(at.lambda)}};
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {caseName, words("The ray hits {place}, at {lambda}.",
-                            {{"place", placeWords(at.meet.location, at)}, {"lambda", lambda}})};
+    return {caseName, placeWords(at.meet.location, at, hitSentences, lambda)};
   case RayTriangleCase::Behind:
-    return {caseName, words("{lambda} is negative: the triangle is behind the ray's start. The line "
-                            "backwards would meet it {place}.",
-                            {{"place", placeWords(at.meet.location, at)}, {"lambda", lambda}})};
+    return {caseName, placeWords(at.meet.location, at,
+                                 {says("{lambda} is negative: the triangle is behind the ray's start. The "
+                                       "line backwards would meet it inside the triangle."),
+                                  says("{lambda} is negative: the triangle is behind the ray's start. The "
+                                       "line backwards would meet it on the edge {edge}."),
+                                  says("{lambda} is negative: the triangle is behind the ray's start. The "
+                                       "line backwards would meet it at the corner {corner}.")},
+                                 lambda)};
   case RayTriangleCase::Miss:
     return {caseName, words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
                             {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
@@ -55,10 +59,14 @@ CaseWords tell(const Out &at) {
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:
-    return {caseName,
-            words("{same}: this is no triangle, and the denominator is 0.",
-                  {{"same", coincidentWords(at.in.T.object, at)}}),
-            true};
+    return {
+        caseName,
+        coincidentWords(
+            at.in.T.object, at,
+            {says("{first} and {second} are the same point: this is no triangle, and the denominator is 0."),
+             says("{first}, {second} and {third} are the same point: this is no triangle, and the "
+                  "denominator is 0.")}),
+        true};
   case RayTriangleCase::Collinear:
     break;
   }
@@ -109,11 +117,16 @@ WorkingLine lineOfT(const Out &at) {
 }
 
 WorkingLine placeLine(const Out &at) {
-  return resultsLine(
-      {at.s, at.t, at.s + at.t},
-      words("The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is "
-            "{place}.",
-            {{"place", placeWords(at.meet.location, at)}}));
+  return resultsLine({at.s, at.t, at.s + at.t},
+                     placeWords(at.meet.location, at,
+                                {says("The point belongs to the triangle when none of s, t and 1 − s − t is "
+                                      "negative. Here it is inside the triangle."),
+                                 says("The point belongs to the triangle when none of s, t and 1 − s − t is "
+                                      "negative. Here it is on the edge {edge}."),
+                                 says("The point belongs to the triangle when none of s, t and 1 − s − t is "
+                                      "negative. Here it is at the corner {corner}."),
+                                 says("The point belongs to the triangle when none of s, t and 1 − s − t is "
+                                      "negative. Here it is outside the triangle.")}));
 }
 
 /// Where one of the triangles has no corners of its own, they have no shape.

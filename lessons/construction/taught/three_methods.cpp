@@ -69,14 +69,26 @@ struct Out : RayByPerps {
 };
 
 CaseWords tellCrossing(const Out &at) {
-  const WordValues found{{"place", placeWords(at.meet.location, at)}, {"lambda", equation(at.lambda)}};
+  const WordValues lambda{{"lambda", equation(at.lambda)}};
   const std::string caseName(nameOf(at.meet.which));
   if (at.meet.which == RayTriangleCase::Hit)
-    return {caseName, words("All three ways lead to the same hit: {place}, at {lambda}.", found)};
+    return {caseName,
+            placeWords(at.meet.location, at,
+                       {says("All three ways lead to the same hit: inside the triangle, at {lambda}."),
+                        says("All three ways lead to the same hit: on the edge {edge}, at {lambda}."),
+                        says("All three ways lead to the same hit: at the corner {corner}, at {lambda}.")},
+                       lambda)};
   if (at.meet.which == RayTriangleCase::Behind)
-    return {caseName, words("The line of the ray goes through the triangle, {place}. But {lambda} is "
-                            "negative: that is behind the ray's start. The Plücker products cannot see it.",
-                            found)};
+    return {caseName,
+            placeWords(
+                at.meet.location, at,
+                {says("The line of the ray goes through the triangle, inside the triangle. But {lambda} is "
+                      "negative: that is behind the ray's start. The Plücker products cannot see it."),
+                 says("The line of the ray goes through the triangle, on the edge {edge}. But {lambda} is "
+                      "negative: that is behind the ray's start. The Plücker products cannot see it."),
+                 says("The line of the ray goes through the triangle, at the corner {corner}. But {lambda} "
+                      "is negative: that is behind the ray's start. The Plücker products cannot see it.")},
+                lambda)};
   return {caseName,
           words("All three ways find the same point, and it is outside the triangle: {s}, {t}, {sum}.",
                 {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
@@ -103,8 +115,11 @@ CaseWords tell(const Out &at) {
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:
     return {caseName,
-            words("{same}: this is no triangle. G, D and S are 0, whatever the ray does.",
-                  {{"same", coincidentWords(at.in.T.object, at)}}),
+            coincidentWords(at.in.T.object, at,
+                            {says("{first} and {second} are the same point: this is no triangle. G, D and S "
+                                  "are 0, whatever the ray does."),
+                             says("{first}, {second} and {third} are the same point: this is no triangle. G, "
+                                  "D and S are 0, whatever the ray does.")}),
             true};
   case RayTriangleCase::Collinear:
     break;

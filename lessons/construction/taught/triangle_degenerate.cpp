@@ -41,10 +41,15 @@ struct Out : Computed<In>, TriangleTerms {
   Term cosine = applied(word("cos"), theta, cosineOf(perps));
 };
 
-/// What is wrong with the corners, as the end of a sentence.
-std::string faultWords(const Out &at) {
-  return at.same == "none" ? words("{P0}, {P1} and {P2} lie on one line", at.letters)
-                           : coincidentWords(at.in.T.object, at);
+/// Sentences for what is wrong with the corners.
+struct FaultSentences {
+  Sentence onOneLine;
+  CoincidentSentences coincident;
+};
+
+std::string faultWords(const Out &at, const FaultSentences &sentences) {
+  return at.same == "none" ? words(sentences.onOneLine.english, at.letters)
+                           : coincidentWords(at.in.T.object, at, sentences.coincident);
 }
 
 CaseWords tell(const Out &at) {
@@ -53,13 +58,13 @@ CaseWords tell(const Out &at) {
             words("{P0}, {P1} and {P2} are the corners of a triangle: u and v point along different "
                   "lines.",
                   at.letters)};
-  const std::string fault = faultWords(at);
   return {at.same == "none" ? "collinear" : "coincident",
-          at.same != "none" ? words("{fault}: this is no triangle.", {{"fault", fault}})
-          : at.areOpposite  ? words("{fault}, and u and v point in opposite directions: this is no triangle.",
-                                    {{"fault", fault}})
-                            : words("{fault}, and u and v point in the same direction: this is no triangle.",
-                                    {{"fault", fault}}),
+          faultWords(at, {at.areOpposite ? says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
+                                                "opposite directions: this is no triangle.")
+                                         : says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
+                                                "the same direction: this is no triangle."),
+                          {says("{first} and {second} are the same point: this is no triangle."),
+                           says("{first}, {second} and {third} are the same point: this is no triangle.")}}),
           true};
 }
 
@@ -112,10 +117,15 @@ WorkingLine lagrangeLine(const Out &at) {
 
 /// A test's line: its comparison, and what it sees, as `found` says that.
 WorkingLine testLine(const Out &at, const Chain &comparison, bool sees) {
-  const std::string fault = at.isTriangle ? "" : faultWords(at);
+  constexpr FaultSentences seen{
+      says("It sees that something is wrong: {P0}, {P1} and {P2} lie on one line."),
+      {says("It sees that something is wrong: {first} and {second} are the same point."),
+       says("It sees that something is wrong: {first}, {second} and {third} are the same point.")}};
+  constexpr FaultSentences unseen{
+      says("It is blind: {P0}, {P1} and {P2} lie on one line."),
+      {says("It is blind: {first} and {second} are the same point."), Sentence{""}}}; // of three all see it
   return line(comparison, at.isTriangle ? words("It finds nothing wrong, and nothing is.")
-                          : sees ? words("It sees that something is wrong: {fault}.", {{"fault", fault}})
-                                 : words("It is blind: {fault}.", {{"fault", fault}}));
+                                        : faultWords(at, sees ? seen : unseen));
 }
 
 WorkingLine cosineTestLine(const Out &at) {
@@ -123,7 +133,12 @@ WorkingLine cosineTestLine(const Out &at) {
     return testLine(at, compared(at.cosine, 1), cosineOf(at.perps) == Surd(1));
   return line(
       compared(norm(at.u) * norm(at.v), 0),
-      words("There is no cosine, so this test cannot be made: {fault}.", {{"fault", faultWords(at)}}));
+      faultWords(
+          at,
+          {says("There is no cosine, so this test cannot be made: {P0}, {P1} and {P2} lie on one line."),
+           {says("There is no cosine, so this test cannot be made: {first} and {second} are the same point."),
+            says("There is no cosine, so this test cannot be made: {first}, {second} and {third} are the "
+                 "same point.")}}));
 }
 
 WorkingLine squaresTestLine(const Out &at) {

@@ -20,19 +20,13 @@ struct PointAtTriangle : TriangleCorners {
     return weights;
   }
 
-  template <class Condition> long countWeights(Condition condition) const {
+  /// How many weights are negative; none where there are no weights.
+  long negative() const {
+    if (!isInPlane())
+      return 0;
     const auto all = weights();
-    return isInPlane() ? std::count_if(all.begin(), all.end(), condition) : 0;
+    return std::count_if(all.begin(), all.end(), [](const Rational &each) { return each < 0; });
   }
-  long negative() const { return countWeights(isNegative); }
-  long zero() const {
-    return countWeights([](const Rational &each) { return each == 0; });
-  }
-  long positive() const {
-    return countWeights([](const Rational &each) { return each > 0; });
-  }
-
-  static bool isNegative(const Rational &each) { return each < 0; }
 
   ExactVec3 Q;
 };
@@ -50,20 +44,12 @@ namespace claims {
 
 Claims barycentric() {
   const Claims own = claimsAbout<PointAtTriangle>({
-      {"All three weights are positive: {Q} is {place}. {rho}, {sigma}, {tau}.",
-       [](const PointAtTriangle &at) { return at.positive() == 3; }},
-      {"One weight is 0 and the others are positive: {Q} is {place}. {rho}, {sigma}, {tau}.",
-       [](const PointAtTriangle &at) { return at.zero() == 1 && at.positive() == 2; }},
-      {"One weight is 1 and the others are 0: {Q} is {place}. {rho}, {sigma}, {tau}.",
-       [](const PointAtTriangle &at) { return at.zero() == 2 && at.positive() == 1; }},
-      {"One weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.",
+      {"One weight is negative: {Q} is outside the triangle. {rho}, {sigma}, {tau}.",
        [](const PointAtTriangle &at) { return at.negative() == 1; }},
-      {"Two weights are negative: {Q} is {place}. {rho}, {sigma}, {tau}.",
+      {"Two weights are negative: {Q} is outside the triangle. {rho}, {sigma}, {tau}.",
        [](const PointAtTriangle &at) { return at.negative() == 2; }},
       {"{Q} does not lie in the triangle's plane, so no weights of the three corners lead to it.",
        [](const PointAtTriangle &at) { return at.isTriangle() && !at.isInPlane(); }},
-      {"{same}: this is no triangle, and there is no area to share.",
-       [](const PointAtTriangle &at) { return at.isCoincident(); }},
       {"{P0}, {P1} and {P2} lie on one line: the triangle has no area to share.",
        [](const PointAtTriangle &at) { return at.isCollinear(); }},
       {"It is as long as twice the triangle's area.", always},
@@ -90,9 +76,21 @@ Claims barycentric() {
          return at.isInPlane() && isEdgeOppositeTo(0, said.at("edge")) &&
                 isEdgeOppositeTo(2, said.at("other"));
        }},
-      {"{Q} is {place}.", isInPlane},
+      {"{Q} is outside the triangle.",
+       [](const PointAtTriangle &at) { return at.isInPlane() && isOutside(at.weights()); }},
   });
-  return together({own, placeClaims<PointAtTriangle>(), coincidenceClaims()});
+  return together(
+      {own,
+       placeClaims(
+           isInPlane, "All three weights are positive: {Q} is inside the triangle. {rho}, {sigma}, {tau}.",
+           "One weight is 0 and the others are positive: {Q} is on the edge {edge}. {rho}, {sigma}, {tau}.",
+           "One weight is 1 and the others are 0: {Q} is at the corner {corner}. {rho}, {sigma}, {tau}."),
+       placeClaims(isInPlane, "{Q} is inside the triangle.", "{Q} is on the edge {edge}.",
+                   "{Q} is at the corner {corner}."),
+       coincidenceClaims(
+           "{first} and {second} are the same point: this is no triangle, and there is no area to share.",
+           "{first}, {second} and {third} are the same point: this is no triangle, and there is no area to "
+           "share.")});
 }
 
 } // namespace claims

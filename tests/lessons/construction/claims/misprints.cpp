@@ -63,12 +63,10 @@ Claims misprints() {
        [](const PrintedLines &at, const Said &said) {
          return said.at("count") == std::to_string(at.refuted()) && at.refuted() > 0;
        }},
-      {"The ray hits {place}, at {lambda}. {count}", hits},
       {"The triangle is behind the ray: only its line goes through, at {lambda}. {count}", isBehind},
       {"The line of the ray meets the plane outside the triangle. {count}", misses},
       {"{r}·n = 0: the ray and the plane have no single point in common. {count}",
        [](const PrintedLines &at) { return at.isTriangle() && at.isRay() && at.rn == 0; }},
-      {"{same}: this is no triangle.", [](const PrintedLines &at) { return at.isCoincident(); }},
       {"{P0}, {P1} and {P2} lie on one line. {count}",
        [](const PrintedLines &at) { return at.isCollinear(); }},
       {"Two sides of the triangle, both from {P0}.", always},
@@ -124,7 +122,14 @@ Claims misprints() {
       {"From O to B it is a negative multiple of n: the opposite direction. Refuted.",
        [](const PrintedLines &at) { return at.isDirectionRefuted(); }},
   });
-  return together({own, hitPlaceClaims<PrintedLines>(), coincidenceClaims(), zeroDirectionClaims(1)});
+  return together(
+      {own,
+       placeClaims(hits, "The ray hits inside the triangle, at {lambda}. {count}",
+                   "The ray hits on the edge {edge}, at {lambda}. {count}",
+                   "The ray hits at the corner {corner}, at {lambda}. {count}"),
+       coincidenceClaims("{first} and {second} are the same point: this is no triangle.",
+                         "{first}, {second} and {third} are the same point: this is no triangle."),
+       zeroDirectionClaims(1)});
 }
 
 } // namespace claims

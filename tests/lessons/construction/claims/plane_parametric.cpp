@@ -20,20 +20,12 @@ struct PointBySides : TriangleCorners {
     return weights;
   }
 
-  /// How many weights are on this side of 0; none where there are no weights.
-  long countWeights(int sign) const {
-    if (!isInPlane())
-      return 0;
-    const auto all = weights();
-    return std::count_if(all.begin(), all.end(),
-                         [sign](const Rational &each) { return each.sign() == sign; });
-  }
-
   ExactVec3 P;
 };
 
 bool isTriangle(const PointBySides &at) { return at.isTriangle(); }
 bool isInPlane(const PointBySides &at) { return at.isInPlane(); }
+bool isBeside(const PointBySides &at) { return at.isInPlane() && isOutside(at.weights()); }
 bool isOffPlane(const PointBySides &at) { return at.isTriangle() && !at.isInPlane(); }
 
 } // namespace
@@ -42,7 +34,7 @@ namespace claims {
 
 Claims plane_parametric() {
   const Claims own = claimsAbout<PointBySides>({
-      {"{P} is {place}: {s}, {t}.", isInPlane},
+      {"{P} is outside the triangle: {s}, {t}.", isBeside},
       {"{P} does not lie in the triangle's plane: no s and t lead to it.", isOffPlane},
       {"{first} and {second} are the same point: the corners span no plane.", areSamePoint},
       {"{P0}, {P1} and {P2} lie on one line: every s and t lead to a point of this line, and the corners "
@@ -51,13 +43,7 @@ Claims plane_parametric() {
       {"Two sides of the triangle, both from {P0}.", always},
       {"From {P0}, s steps of u and then t steps of v.", isInPlane},
       {"The same point without u and v: a mixture of the three corners.", isInPlane},
-      {"All three are positive: {P} is {place}.",
-       [](const PointBySides &at) { return at.countWeights(1) == 3; }},
-      {"One is 0 and the others are positive: {P} is {place}.",
-       [](const PointBySides &at) { return at.countWeights(0) == 1 && at.countWeights(1) == 2; }},
-      {"Two are 0: {P} is {place}.", [](const PointBySides &at) { return at.countWeights(0) == 2; }},
-      {"At least one is negative: {P} is {place}.",
-       [](const PointBySides &at) { return at.countWeights(-1) >= 1; }},
+      {"At least one is negative: {P} is outside the triangle.", isBeside},
       {"Perpendicular to u and to v, so it is a normal of the plane.", isTriangle},
       {"The zero vector: u and v lie along one line and have no normal.",
        [](const PointBySides &at) { return !at.isTriangle(); }},
@@ -65,7 +51,13 @@ Claims plane_parametric() {
       {"{P} fulfils it, whatever s and t are.", isInPlane},
       {"Not 0: {P} does not lie in the plane.", isOffPlane},
   });
-  return together({own, placeClaims<PointBySides>()});
+  return together(
+      {own,
+       placeClaims(isInPlane, "{P} is inside the triangle: {s}, {t}.", "{P} is on the edge {edge}: {s}, {t}.",
+                   "{P} is at the corner {corner}: {s}, {t}."),
+       placeClaims(isInPlane, "All three are positive: {P} is inside the triangle.",
+                   "One is 0 and the others are positive: {P} is on the edge {edge}.",
+                   "Two are 0: {P} is at the corner {corner}.")});
 }
 
 } // namespace claims

@@ -45,4 +45,11 @@ struct RayAtTriangle : TriangleCorners {
   Rational height; ///< of the ray's start over the plane, times |n|
 };
 
+/// Of the case of a hit.
+[[nodiscard]] inline Claims hitClaims() {
+  return placeClaims<RayAtTriangle>(
+      [](const RayAtTriangle &at) { return at.hits(); }, "The ray hits inside the triangle, at {lambda}.",
+      "The ray hits on the edge {edge}, at {lambda}.", "The ray hits at the corner {corner}, at {lambda}.");
+}
+
 } // namespace halfspace::test

@@ -85,6 +85,9 @@ std::size_t saidCorner(const RayAtPolygon &at, const Said &said, const char *pla
 bool crosses(const RayAtPolygon &at) { return at.crosses(); }
 bool hasNoDirection(const RayAtPolygon &at) { return !at.isRay(); }
 bool isWithin(const RayAtPolygon &at) { return at.isWithin(); }
+bool passesThrough(const RayAtPolygon &at) { return at.passesThrough(); }
+bool isHit(const RayAtPolygon &at) { return at.passesThrough() && at.t() >= 0; }
+bool isBehind(const RayAtPolygon &at) { return at.passesThrough() && at.t() < 0; }
 bool passesOutside(const RayAtPolygon &at) { return at.passesOutside(); }
 
 Claims shapeClaims() {
@@ -117,30 +120,51 @@ Claims shapeClaims() {
 Claims caseClaims() {
   return claimsAbout<RayAtPolygon>({
       {"The direction {r} is the zero vector: the ray goes nowhere.", hasNoDirection},
-      {"No two products differ in sign: the ray goes through {part}, at {t}.",
-       [](const RayAtPolygon &at) { return at.passesThrough() && at.t() >= 0; }},
-      {"No two products differ in sign, so the line of the ray goes through {part}. But {t} is negative: "
-       "that is behind the ray's start.",
-       [](const RayAtPolygon &at) { return at.passesThrough() && at.t() < 0; }},
       {"Two products differ in sign: the line of the ray passes outside the polygon.", passesOutside},
       {"The products add up to 0: the ray runs parallel to the polygon's plane and never meets it.",
        [](const RayAtPolygon &at) { return at.isBeside(); }},
       {"All products are 0: the ray runs inside the polygon's plane, and no single point is the hit.",
        isWithin},
-      {"the inside of the polygon",
-       [](const RayAtPolygon &at) { return at.passesThrough() && at.border() == 0; }},
-      {"the edge {edge}",
-       [](const RayAtPolygon &at, const Said &said) {
+  });
+}
+
+/// Sentences about the part of the polygon that the line passes through. Each says too that the condition
+/// holds.
+Claims partClaims(bool (*holds)(const RayAtPolygon &), const char *inside, const char *onEdge,
+                  const char *atCorner) {
+  return claimsAbout<RayAtPolygon>({
+      {inside, [holds](const RayAtPolygon &at) { return holds(at) && at.border() == 0; }},
+      {onEdge,
+       [holds](const RayAtPolygon &at, const Said &said) {
          const auto zero = std::find(at.turns.begin(), at.turns.end(), Rational(0)) - at.turns.begin();
-         return at.passesThrough() && at.border() == 1 &&
+         return holds(at) && at.border() == 1 &&
                 isEdgeNamed(at, static_cast<std::size_t>(zero), said.at("edge"));
        }},
-      {"the corner {corner}",
-       [](const RayAtPolygon &at, const Said &said) {
-         return at.passesThrough() &&
+      {atCorner,
+       [holds](const RayAtPolygon &at, const Said &said) {
+         return holds(at) &&
                 at.corner(saidCorner(at, said, "corner")) == ExactVec3(at.L.origin + at.L.direction * at.t());
        }},
   });
+}
+
+Claims throughClaims() {
+  return together(
+      {partClaims(isHit,
+                  "No two products differ in sign: the ray goes through the inside of the polygon, at {t}.",
+                  "No two products differ in sign: the ray goes through the edge {edge}, at {t}.",
+                  "No two products differ in sign: the ray goes through the corner {corner}, at {t}."),
+       partClaims(isBehind,
+                  "No two products differ in sign, so the line of the ray goes through the inside of the "
+                  "polygon. But {t} is negative: that is behind the ray's start.",
+                  "No two products differ in sign, so the line of the ray goes through the edge {edge}. But "
+                  "{t} is negative: that is behind the ray's start.",
+                  "No two products differ in sign, so the line of the ray goes through the corner {corner}. "
+                  "But {t} is negative: that is behind the ray's start."),
+       partClaims(passesThrough,
+                  "No two differ in sign: the line of the ray goes through the inside of the polygon.",
+                  "No two differ in sign: the line of the ray goes through the edge {edge}.",
+                  "No two differ in sign: the line of the ray goes through the corner {corner}.")});
 }
 
 Claims edgeClaims() {
@@ -178,8 +202,6 @@ Claims sumClaims() {
       {"All are 0: the ray and all edges lie in one plane.", isWithin},
       {"Both signs are there: the line of the ray passes outside the polygon.",
        [](const RayAtPolygon &at) { return at.passesOutside() || at.isBeside(); }},
-      {"No two differ in sign: the line of the ray goes through {part}.",
-       [](const RayAtPolygon &at) { return at.passesThrough(); }},
       {"All products together.", [](const RayAtPolygon &at) { return at.slope() != 0; }},
       {"Zero: the ray crosses the polygon's plane nowhere, or runs inside it.",
        [](const RayAtPolygon &at) { return at.isBeside() || at.isWithin(); }},
@@ -206,7 +228,9 @@ Claims sumClaims() {
 
 namespace claims {
 
-Claims ray_polygon_pluecker() { return together({shapeClaims(), caseClaims(), edgeClaims(), sumClaims()}); }
+Claims ray_polygon_pluecker() {
+  return together({shapeClaims(), caseClaims(), throughClaims(), edgeClaims(), sumClaims()});
+}
 
 } // namespace claims
 } // namespace halfspace::test

@@ -4,6 +4,7 @@ namespace halfspace::test {
 namespace {
 
 bool crosses(const RayAtTriangle &at) { return at.crosses(); }
+bool isBehind(const RayAtTriangle &at) { return at.isBehind(); }
 
 /// The determinant |a b c| of the sides that lead to P₀ and the way from the start to it.
 Rational lastDeterminant(const RayAtTriangle &at) {
@@ -16,17 +17,12 @@ namespace claims {
 
 Claims ray_triangle_cramer() {
   const Claims own = claimsAbout<RayAtTriangle>({
-      {"The ray hits {place}, at {lambda}.", [](const RayAtTriangle &at) { return at.hits(); }},
-      {"{lambda} is negative: the triangle is behind the ray's start. Only the line backwards meets it, "
-       "{place}.",
-       [](const RayAtTriangle &at) { return at.isBehind(); }},
       {"The line meets the triangle's plane outside the triangle: {sigma}, {tau}, {sum}.",
        [](const RayAtTriangle &at) { return at.misses(); }},
       {"D = 0, but not D₃: the ray runs parallel to the triangle's plane and never meets it.",
        [](const RayAtTriangle &at) { return at.isParallel() && lastDeterminant(at) != 0; }},
       {"D = 0 and D₃ = 0: the ray lies in the triangle's plane, and no single point is the hit.",
        [](const RayAtTriangle &at) { return at.isInPlane() && lastDeterminant(at) == 0; }},
-      {"{same}: this is no triangle, and D is 0.", [](const RayAtTriangle &at) { return at.isCoincident(); }},
       {"{P0}, {P1} and {P2} lie on one line: two columns are multiples of each other, and D is 0.",
        [](const RayAtTriangle &at) { return at.isCollinear(); }},
       {"From {P1} to {P0}.", always},
@@ -45,14 +41,35 @@ Claims ray_triangle_cramer() {
       {"c in the place of {r}. The middle column is split off, and that one comes with a minus.", always},
       {"The weight of {P1}.", crosses},
       {"The weight of {P2}.", crosses},
-      {"These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane {place}.", crosses},
+      {"These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane outside the "
+       "triangle.",
+       [](const RayAtTriangle &at) { return at.misses(); }},
       {"Negative: the line gets there before the ray's start {Q}, so the ray does not hit.",
        [](const RayAtTriangle &at) { return at.crosses() && at.lambda() < 0; }},
       {"Not negative: the ray itself gets there.",
        [](const RayAtTriangle &at) { return at.crosses() && at.lambda() >= 0; }},
       {"Where the line of the ray meets the triangle's plane.", crosses},
   });
-  return together({own, placeClaims<RayAtTriangle>(), coincidenceClaims(), zeroDirectionClaims(1)});
+  return together(
+      {own, hitClaims(),
+       placeClaims(isBehind,
+                   "{lambda} is negative: the triangle is behind the ray's start. Only the line backwards "
+                   "meets it, inside the triangle.",
+                   "{lambda} is negative: the triangle is behind the ray's start. Only the line backwards "
+                   "meets it, on the edge {edge}.",
+                   "{lambda} is negative: the triangle is behind the ray's start. Only the line backwards "
+                   "meets it, at the corner {corner}."),
+       placeClaims(crosses,
+                   "These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane inside "
+                   "the triangle.",
+                   "These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane on the "
+                   "edge {edge}.",
+                   "These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane at the "
+                   "corner {corner}."),
+       coincidenceClaims(
+           "{first} and {second} are the same point: this is no triangle, and D is 0.",
+           "{first}, {second} and {third} are the same point: this is no triangle, and D is 0."),
+       zeroDirectionClaims(1)});
 }
 
 } // namespace claims

@@ -8,6 +8,7 @@ Rational tOf(const RayAtTriangle &at) { return at.weights()[2]; }
 
 bool isProper(const RayAtTriangle &at) { return at.isTriangle(); }
 bool crosses(const RayAtTriangle &at) { return at.crosses(); }
+bool isBehind(const RayAtTriangle &at) { return at.isBehind(); }
 
 } // namespace
 
@@ -15,10 +16,6 @@ namespace claims {
 
 Claims ray_triangle_perp() {
   const Claims own = claimsAbout<RayAtTriangle>({
-      {"The ray hits {place}, at {lambda}.", [](const RayAtTriangle &at) { return at.hits(); }},
-      {"{lambda} is negative: the triangle is behind the ray's start. The line backwards would meet it "
-       "{place}.",
-       [](const RayAtTriangle &at) { return at.isBehind(); }},
       {"The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
        [](const RayAtTriangle &at) { return at.misses(); }},
       {"{r}·n = 0: the ray runs parallel to the triangle's plane and never meets it.",
@@ -26,8 +23,6 @@ Claims ray_triangle_perp() {
       {"{r}·n = 0 and {Q} lies in the triangle's plane: the ray runs inside it, and no single point is the "
        "hit.",
        [](const RayAtTriangle &at) { return at.isInPlane(); }},
-      {"{same}: this is no triangle, and the denominator is 0.",
-       [](const RayAtTriangle &at) { return at.isCoincident(); }},
       {"{P0}, {P1} and {P2} lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and there is "
        "no triangle to hit.",
        [](const RayAtTriangle &at) {
@@ -49,8 +44,10 @@ Claims ray_triangle_perp() {
       {"Dotted with u⊥, the part s·u drops out and only t is left. v·u⊥ is −D, so the signs in the numerator "
        "have changed too. This t belongs to the triangle; the ray's own parameter is λ.",
        crosses},
-      {"The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is {place}.",
-       crosses},
+      {"The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is outside "
+       "the "
+       "triangle.",
+       [](const RayAtTriangle &at) { return at.misses(); }},
       {"How far w reaches along u⊥, times the length of u⊥.", crosses},
       {"The same for v.", crosses},
       {"t is 0: {A} and {C} are {P0} itself, and there is no triangle {P0}{A}{C}.",
@@ -62,8 +59,27 @@ Claims ray_triangle_perp() {
        "length of u⊥ stands in both and cancels.",
        [](const RayAtTriangle &at) { return at.crosses() && tOf(at) != 0 && product(at.u, at.v) != 0; }},
   });
-  return together({own, placeClaims<RayAtTriangle>(), coincidenceClaims(), crossProductClaims(),
-                   zeroPerpClaims(), zeroDirectionClaims(1)});
+  return together(
+      {own, hitClaims(),
+       placeClaims(isBehind,
+                   "{lambda} is negative: the triangle is behind the ray's start. The line backwards would "
+                   "meet it inside the triangle.",
+                   "{lambda} is negative: the triangle is behind the ray's start. The line backwards would "
+                   "meet it on the edge {edge}.",
+                   "{lambda} is negative: the triangle is behind the ray's start. The line backwards would "
+                   "meet it at the corner {corner}."),
+       placeClaims(crosses,
+                   "The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it "
+                   "is inside the triangle.",
+                   "The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it "
+                   "is on the edge {edge}.",
+                   "The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it "
+                   "is at the corner {corner}."),
+       coincidenceClaims(
+           "{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
+           "{first}, {second} and {third} are the same point: this is no triangle, and the denominator is "
+           "0."),
+       crossProductClaims(), zeroPerpClaims(), zeroDirectionClaims(1)});
 }
 
 } // namespace claims

@@ -6,6 +6,8 @@ namespace {
 bool isProper(const RayAtTriangle &at) { return at.isTriangle(); }
 bool isFlat(const RayAtTriangle &at) { return !at.isTriangle(); }
 bool crosses(const RayAtTriangle &at) { return at.crosses(); }
+bool hits(const RayAtTriangle &at) { return at.hits(); }
+bool isBehind(const RayAtTriangle &at) { return at.isBehind(); }
 
 /// Whether the ray's line and all corners lie in one plane: then the planes of the line and a corner are one.
 bool isCoplanar(const RayAtTriangle &at) {
@@ -28,11 +30,6 @@ bool isCountOf(const Said &said) {
 
 Claims caseClaims() {
   return claimsAbout<RayAtTriangle>({
-      {"All three ways lead to the same hit: {place}, at {lambda}.",
-       [](const RayAtTriangle &at) { return at.hits(); }},
-      {"The line of the ray goes through the triangle, {place}. But {lambda} is negative: that is behind the "
-       "ray's start. The Plücker products cannot see it.",
-       [](const RayAtTriangle &at) { return at.isBehind(); }},
       {"All three ways find the same point, and it is outside the triangle: {s}, {t}, {sum}.",
        [](const RayAtTriangle &at) { return at.misses(); }},
       {"{r}·n, D and S are 0: the ray runs parallel to the triangle's plane. Two ways have nothing to divide "
@@ -41,11 +38,27 @@ Claims caseClaims() {
       {"{r}·n, D and all three products are 0: the ray lies in the triangle's plane, and none of the three "
        "ways has a single point to give.",
        [](const RayAtTriangle &at) { return at.isInPlane() && isCoplanar(at); }},
-      {"{same}: this is no triangle. G, D and S are 0, whatever the ray does.",
-       [](const RayAtTriangle &at) { return at.isCoincident(); }},
       {"{P0}, {P1} and {P2} lie on one line: G, D and S are 0, whatever the ray does.",
        [](const RayAtTriangle &at) { return at.isCollinear(); }},
   });
+}
+
+Claims crossingClaims() {
+  return together(
+      {placeClaims(hits, "All three ways lead to the same hit: inside the triangle, at {lambda}.",
+                   "All three ways lead to the same hit: on the edge {edge}, at {lambda}.",
+                   "All three ways lead to the same hit: at the corner {corner}, at {lambda}."),
+       placeClaims(isBehind,
+                   "The line of the ray goes through the triangle, inside the triangle. But {lambda} is "
+                   "negative: that is behind the ray's start. The Plücker products cannot see it.",
+                   "The line of the ray goes through the triangle, on the edge {edge}. But {lambda} is "
+                   "negative: that is behind the ray's start. The Plücker products cannot see it.",
+                   "The line of the ray goes through the triangle, at the corner {corner}. But {lambda} is "
+                   "negative: that is behind the ray's start. The Plücker products cannot see it."),
+       coincidenceClaims("{first} and {second} are the same point: this is no triangle. G, D and S are 0, "
+                         "whatever the ray does.",
+                         "{first}, {second} and {third} are the same point: this is no triangle. G, D and S "
+                         "are 0, whatever the ray does.")});
 }
 
 Claims stepClaims() {
@@ -122,8 +135,8 @@ Claims agreementClaims() {
 namespace claims {
 
 Claims three_methods() {
-  return together({caseClaims(), stepClaims(), agreementClaims(), hitPlaceClaims<RayAtTriangle>(),
-                   coincidenceClaims(), crossProductClaims(), zeroPerpClaims(), zeroDirectionClaims(1)});
+  return together({caseClaims(), crossingClaims(), stepClaims(), agreementClaims(), crossProductClaims(),
+                   zeroPerpClaims(), zeroDirectionClaims(1)});
 }
 
 } // namespace claims

@@ -21,12 +21,12 @@ bool isWrittenExactly(const TriangleCorners &at) {
 }
 
 /// Whether the test of a line finds that something is wrong with the corners.
-bool sees(const TriangleCorners &at, const std::string &line) {
-  if (line == "test-u")
+bool isSeen(const TriangleCorners &at, const Said &said) {
+  if (said.line == "test-u")
     return vanishes(at.u);
-  if (line == "test-v")
+  if (said.line == "test-v")
     return vanishes(at.v);
-  return line == "test-squares" ? !at.isTriangle() : cosineOf(at) == 1;
+  return said.line == "test-squares" ? !at.isTriangle() : cosineOf(at) == 1;
 }
 
 } // namespace
@@ -36,11 +36,9 @@ namespace claims {
 Claims triangle_degenerate() {
   const Claims own = claimsAbout<TriangleCorners>({
       {"{P0}, {P1} and {P2} are the corners of a triangle: u and v point along different lines.", isProper},
-      {"{P0}, {P1} and {P2} lie on one line", [](const TriangleCorners &at) { return at.isCollinear(); }},
-      {"{fault}: this is no triangle.", [](const TriangleCorners &at) { return at.isCoincident(); }},
-      {"{fault}, and u and v point in opposite directions: this is no triangle.",
+      {"{P0}, {P1} and {P2} lie on one line, and u and v point in opposite directions: this is no triangle.",
        [](const TriangleCorners &at) { return at.isCollinear() && product(at.u, at.v) < 0; }},
-      {"{fault}, and u and v point in the same direction: this is no triangle.",
+      {"{P0}, {P1} and {P2} lie on one line, and u and v point in the same direction: this is no triangle.",
        [](const TriangleCorners &at) { return at.isCollinear() && product(at.u, at.v) > 0; }},
       {"Two sides, both from {P0}.", always},
       {"The two lengths: for the cosine the dot product is divided by them.", hasAngle},
@@ -55,15 +53,29 @@ Claims triangle_degenerate() {
       {"0: no triangle. D is the number that s and t would be divided by.", isNone},
       {"Lagrange's identity. It is −D: so D is 0 exactly where u × v is the zero vector.", always},
       {"It finds nothing wrong, and nothing is.",
-       [](const TriangleCorners &at, const Said &said) { return at.isTriangle() && !sees(at, said.line); }},
-      {"It sees that something is wrong: {fault}.",
-       [](const TriangleCorners &at, const Said &said) { return !at.isTriangle() && sees(at, said.line); }},
-      {"It is blind: {fault}.",
-       [](const TriangleCorners &at, const Said &said) { return !at.isTriangle() && !sees(at, said.line); }},
-      {"There is no cosine, so this test cannot be made: {fault}.",
-       [](const TriangleCorners &at) { return !hasAngle(at); }},
+       [](const TriangleCorners &at, const Said &said) { return at.isTriangle() && !isSeen(at, said); }},
+      {"It sees that something is wrong: {P0}, {P1} and {P2} lie on one line.",
+       [](const TriangleCorners &at, const Said &said) { return at.isCollinear() && isSeen(at, said); }},
+      {"It is blind: {first} and {second} are the same point.",
+       [](const TriangleCorners &at, const Said &said) {
+         return areSamePoint(at, said) && !isSeen(at, said);
+       }},
+      {"It is blind: {P0}, {P1} and {P2} lie on one line.",
+       [](const TriangleCorners &at, const Said &said) { return at.isCollinear() && !isSeen(at, said); }},
   });
-  return together({own, coincidenceClaims(), crossProductClaims()});
+  return together(
+      {own,
+       coincidenceClaims("{first} and {second} are the same point: this is no triangle.",
+                         "{first}, {second} and {third} are the same point: this is no triangle."),
+       coincidenceClaims("It sees that something is wrong: {first} and {second} are the same point.",
+                         "It sees that something is wrong: {first}, {second} and {third} are the same point.",
+                         isSeen),
+       coincidenceClaims("There is no cosine, so this test cannot be made: {first} and {second} are the same "
+                         "point.",
+                         "There is no cosine, so this test cannot be made: {first}, {second} and {third} are "
+                         "the same point.",
+                         [](const TriangleCorners &at, const Said &) { return !hasAngle(at); }),
+       crossProductClaims()});
 }
 
 } // namespace claims

@@ -28,13 +28,15 @@ bool areSamePoint(const TriangleCorners &at, const Said &said) {
   return at.corners.at(cornerNamed(said.at("first"))) == at.corners.at(cornerNamed(said.at("second")));
 }
 
-Claims coincidenceClaims() {
+Claims coincidenceClaims(const char *two, const char *three,
+                         const std::function<bool(const TriangleCorners &, const Said &)> &besides) {
   return claimsAbout<TriangleCorners>({
-      {"{first}, {second} and {third} are the same point",
-       [](const TriangleCorners &at) {
-         return at.corners[0] == at.corners[1] && at.corners[0] == at.corners[2];
+      {two, [besides](const TriangleCorners &at,
+                      const Said &said) { return areSamePoint(at, said) && besides(at, said); }},
+      {three,
+       [besides](const TriangleCorners &at, const Said &said) {
+         return at.corners[0] == at.corners[1] && at.corners[0] == at.corners[2] && besides(at, said);
        }},
-      {"{first} and {second} are the same point", areSamePoint},
   });
 }
 

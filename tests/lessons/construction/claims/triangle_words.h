@@ -29,6 +29,9 @@ struct TriangleCorners {
 };
 
 /// Of the weights of a point in the plane.
+[[nodiscard]] inline bool isInside(const std::array<Rational, 3> &weights) {
+  return *std::min_element(weights.begin(), weights.end()) > 0;
+}
 [[nodiscard]] inline bool isOutside(const std::array<Rational, 3> &weights) {
   return *std::min_element(weights.begin(), weights.end()) < 0;
 }
@@ -43,33 +46,31 @@ struct TriangleCorners {
 [[nodiscard]] bool isOnEdge(const std::array<Rational, 3> &weights, const std::string &name);
 [[nodiscard]] bool isAtCorner(const std::array<Rational, 3> &weights, const std::string &name);
 
-/// The places of a triangle that a hit can have: `Scene` has the weights of the point.
-template <class Scene> [[nodiscard]] Claims hitPlaceClaims() {
+/// Sentences about a point in a triangle: inside, on the edge {edge}, at the corner {corner}. Each says too
+/// that the condition holds, and only where it does `Scene` has the weights of the point.
+template <class Scene>
+[[nodiscard]] Claims placeClaims(bool (*holds)(const Scene &), const char *inside, const char *onEdge,
+                                 const char *atCorner) {
   return claimsAbout<Scene>({
-      {"inside the triangle",
-       [](const Scene &at) {
-         const auto weights = at.weights();
-         return std::all_of(weights.begin(), weights.end(), [](const Rational &each) { return each > 0; });
+      {inside, [holds](const Scene &at) { return holds(at) && isInside(at.weights()); }},
+      {onEdge, [holds](const Scene &at,
+                       const Said &said) { return holds(at) && isOnEdge(at.weights(), said.at("edge")); }},
+      {atCorner,
+       [holds](const Scene &at, const Said &said) {
+         return holds(at) && isAtCorner(at.weights(), said.at("corner"));
        }},
-      {"on the edge {edge}",
-       [](const Scene &at, const Said &said) { return isOnEdge(at.weights(), said.at("edge")); }},
-      {"at the corner {corner}",
-       [](const Scene &at, const Said &said) { return isAtCorner(at.weights(), said.at("corner")); }},
   });
-}
-
-/// Of a point that may be anywhere in the plane.
-template <class Scene> [[nodiscard]] Claims placeClaims() {
-  return together({hitPlaceClaims<Scene>(), claimsAbout<Scene>({{"outside the triangle", [](const Scene &at) {
-                                                                   return isOutside(at.weights());
-                                                                 }}})});
 }
 
 /// Whether the corners that a sentence calls `first` and `second` are the same point.
 [[nodiscard]] bool areSamePoint(const TriangleCorners &at, const Said &said);
 
-/// Corners that are the same point.
-[[nodiscard]] Claims coincidenceClaims();
+/// Sentences about corners that are the same point: two of them, or all three. They may say something else
+/// besides.
+[[nodiscard]] Claims coincidenceClaims(
+    const char *two, const char *three,
+    const std::function<bool(const TriangleCorners &, const Said &)> &besides =
+        [](const TriangleCorners &, const Said &) { return true; });
 
 /// What is said of u × v.
 [[nodiscard]] Claims crossProductClaims();
