@@ -1,7 +1,9 @@
 // The tools of handles: how they say that a handle moves, and what comes first under the pointer.
 #include "widgets/picture/hand/handle_tools.h"
 
+#include "lessons/pseudo_language.h"
 #include "tests/lessons/scenes.h"
+#include "tests/lessons/spoken_to_in.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 
 #include <gtest/gtest.h>
@@ -34,6 +36,13 @@ TEST(FixedNote, OfATip_TellsTheArrowsOwnNumber) {
   const Evaluation evaluation = evaluate(scene);
   EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation), "z = 8\\text{ fixed}");
   EXPECT_EQ(fixedNote(handle(scene, "L.r"), scene, evaluation), "r_z = 2\\text{ fixed}");
+}
+
+TEST(FixedNote, InAnotherLanguage_HasItsWordsAroundTheNumber) {
+  const Scene scene{{rayL()}};
+  const Evaluation evaluation = evaluate(scene);
+  const SpokenToIn nobody(pseudoLanguage());
+  EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation), "\\text{⟦}z = 8\\text{ fíxéd ~~~~~⟧}");
 }
 
 TEST(KnobsOf, AreOfHandlesWithoutAMark_LargerWhereTheHandIs) {

@@ -2,6 +2,7 @@
 
 #include "geometry/decide.h"
 #include "lessons/term/latex.h"
+#include "lessons/words.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 
 namespace halfspace {
@@ -31,6 +32,15 @@ Gizmo::Mode gizmoMode(DragMode mode) {
   return Gizmo::Mode::None;
 }
 
+/// As LaTeX: a sentence with a formula in the place {formula}.
+std::string inWords(const std::string &sentence, const std::string &latex) {
+  constexpr std::string_view place = "{formula}";
+  const auto text = [](const std::string &part) { return part.empty() ? part : "\\text{" + part + "}"; };
+  const std::size_t at = std::min(sentence.find(place), sentence.size());
+  return text(sentence.substr(0, at)) + latex +
+         text(sentence.substr(std::min(at + place.size(), sentence.size())));
+}
+
 } // namespace
 
 Gizmo gizmoOf(const Handle &handle, std::optional<DragMode> mode) {
@@ -55,7 +65,7 @@ std::string fixedNote(const Handle &handle, const Scene &scene, const Evaluation
     symbol.isVector = false;
     symbol.subscript += symbol.subscript.empty() ? "z" : ",z";
   }
-  return latexOf(symbol) + relatedLatex(Term(object[handle.coordinate].z)) + "\\text{ fixed}";
+  return inWords(words("{formula} fixed"), latexOf(symbol) + relatedLatex(Term(object[handle.coordinate].z)));
 }
 
 std::vector<Knob> knobsOf(const HandleSelection &selection, const Camera &camera) {
