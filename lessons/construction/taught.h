@@ -12,6 +12,7 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/letters.h"
+#include "lessons/sentence.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
@@ -86,17 +87,12 @@ template <class Out>
           [members](const Out &at) { return ToldValue(Value(valuesIn(members, at))); }};
 }
 
-/// A sentence that is filled with the letters of the construction when somebody reads it.
-struct Sentence {
-  const char *english;
-};
-[[nodiscard]] constexpr Sentence says(const char *english) { return {english}; }
-
 /// A worked line.
 template <class Out> struct LineRow {
   LineRow(std::string line, When<Out> when, std::function<WorkingLine(const Out &)> making)
       : id(std::move(line)), stands(std::move(when)), make(std::move(making)) {}
-  /// A formula whose result a learner is to find, with its sentence: one, or one of several.
+  /// A formula whose result a learner is to find, with its sentence: one, which has the letters of the
+  /// construction, or one of several.
   LineRow(std::string line, When<Out> when, std::function<Chain(const Out &)> formula, Sentence sentence)
       : LineRow(std::move(line), std::move(when), std::move(formula),
                 [sentence](const Out &at) { return words(sentence.english, at.letters); }) {}

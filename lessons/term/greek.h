@@ -1,6 +1,8 @@
 // The Greek letters, and ∞, as every notation writes them.
 #pragma once
 
+#include "lessons/sentence.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -9,44 +11,44 @@ namespace halfspace {
 
 struct GreekLetter {
   std::string_view letter; ///< in UTF-8
-  const char *name;        ///< in English: lambda
+  Sentence name;           ///< as it is spoken: lambda
   std::string_view latex;  ///< the command without its backslash
   /// Whether files may spell it out where they name something.
   bool isSpelled = false;
 };
 
-inline constexpr std::array greekLetters{GreekLetter{"α", "alpha", "alpha", true},
-                                         GreekLetter{"β", "beta", "beta", true},
-                                         GreekLetter{"γ", "gamma", "gamma", true},
-                                         GreekLetter{"δ", "delta", "delta", true},
-                                         GreekLetter{"ε", "epsilon", "varepsilon", true},
-                                         GreekLetter{"ζ", "zeta", "zeta"},
-                                         GreekLetter{"η", "eta", "eta"},
-                                         GreekLetter{"θ", "theta", "theta", true},
-                                         GreekLetter{"ι", "iota", "iota"},
-                                         GreekLetter{"κ", "kappa", "kappa"},
-                                         GreekLetter{"λ", "lambda", "lambda", true},
-                                         GreekLetter{"μ", "mu", "mu", true},
-                                         GreekLetter{"ν", "nu", "nu"},
-                                         GreekLetter{"ξ", "xi", "xi"},
-                                         GreekLetter{"π", "pi", "pi"},
-                                         GreekLetter{"ρ", "rho", "rho", true},
-                                         GreekLetter{"σ", "sigma", "sigma", true},
-                                         GreekLetter{"τ", "tau", "tau", true},
-                                         GreekLetter{"φ", "phi", "varphi", true},
-                                         GreekLetter{"χ", "chi", "chi"},
-                                         GreekLetter{"ψ", "psi", "psi"},
-                                         GreekLetter{"ω", "omega", "omega", true},
-                                         GreekLetter{"Γ", "Gamma", "Gamma"},
-                                         GreekLetter{"Δ", "Delta", "Delta"},
-                                         GreekLetter{"Θ", "Theta", "Theta"},
-                                         GreekLetter{"Λ", "Lambda", "Lambda"},
-                                         GreekLetter{"Π", "Pi", "Pi"},
-                                         GreekLetter{"Σ", "Sigma", "Sigma"},
-                                         GreekLetter{"Φ", "Phi", "Phi"},
-                                         GreekLetter{"Ψ", "Psi", "Psi"},
-                                         GreekLetter{"Ω", "Omega", "Omega"},
-                                         GreekLetter{"∞", "infinity", "infty"}};
+inline constexpr std::array greekLetters{GreekLetter{"α", says("alpha"), "alpha", true},
+                                         GreekLetter{"β", says("beta"), "beta", true},
+                                         GreekLetter{"γ", says("gamma"), "gamma", true},
+                                         GreekLetter{"δ", says("delta"), "delta", true},
+                                         GreekLetter{"ε", says("epsilon"), "varepsilon", true},
+                                         GreekLetter{"ζ", says("zeta"), "zeta"},
+                                         GreekLetter{"η", says("eta"), "eta"},
+                                         GreekLetter{"θ", says("theta"), "theta", true},
+                                         GreekLetter{"ι", says("iota"), "iota"},
+                                         GreekLetter{"κ", says("kappa"), "kappa"},
+                                         GreekLetter{"λ", says("lambda"), "lambda", true},
+                                         GreekLetter{"μ", says("mu"), "mu", true},
+                                         GreekLetter{"ν", says("nu"), "nu"},
+                                         GreekLetter{"ξ", says("xi"), "xi"},
+                                         GreekLetter{"π", says("pi"), "pi"},
+                                         GreekLetter{"ρ", says("rho"), "rho", true},
+                                         GreekLetter{"σ", says("sigma"), "sigma", true},
+                                         GreekLetter{"τ", says("tau"), "tau", true},
+                                         GreekLetter{"φ", says("phi"), "varphi", true},
+                                         GreekLetter{"χ", says("chi"), "chi"},
+                                         GreekLetter{"ψ", says("psi"), "psi"},
+                                         GreekLetter{"ω", says("omega"), "omega", true},
+                                         GreekLetter{"Γ", says("Gamma"), "Gamma"},
+                                         GreekLetter{"Δ", says("Delta"), "Delta"},
+                                         GreekLetter{"Θ", says("Theta"), "Theta"},
+                                         GreekLetter{"Λ", says("Lambda"), "Lambda"},
+                                         GreekLetter{"Π", says("Pi"), "Pi"},
+                                         GreekLetter{"Σ", says("Sigma"), "Sigma"},
+                                         GreekLetter{"Φ", says("Phi"), "Phi"},
+                                         GreekLetter{"Ψ", says("Psi"), "Psi"},
+                                         GreekLetter{"Ω", says("Omega"), "Omega"},
+                                         GreekLetter{"∞", says("infinity"), "infty"}};
 
 /// The one for which something holds; null where there is none.
 template <class Condition> [[nodiscard]] constexpr const GreekLetter *greekWhere(const Condition &isSo) {

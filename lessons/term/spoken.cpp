@@ -13,7 +13,7 @@ namespace {
 /// The names of Greek letters, and of letters that would not be heard.
 std::string letterName(const std::string &letter) {
   const GreekLetter *greek = greekLetter(letter);
-  return greek ? words(greek->name) : letter;
+  return greek ? words(greek->name.english) : letter;
 }
 
 /// What an abbreviated word stands for.

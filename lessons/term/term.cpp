@@ -94,7 +94,7 @@ Symbol word(std::string word) { return {.letter = std::move(word), .isWord = tru
 
 std::string_view spelledLetter(std::string_view name) {
   const GreekLetter *greek =
-      greekWhere([name](const GreekLetter &each) { return each.isSpelled && each.name == name; });
+      greekWhere([name](const GreekLetter &each) { return each.isSpelled && each.name.english == name; });
   return greek ? greek->letter : name;
 }
 

@@ -1,4 +1,7 @@
+#include "lessons/pseudo_language.h"
 #include "tests/formula/described.h"
+#include "tests/lessons/spoken_to_in.h"
+#include "tests/untranslated.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +102,19 @@ TEST(ReadLatexError, LongFormulas_AreRefused) {
   EXPECT_EQ(read(repeated("x", static_cast<int>(mostNodes) + 1)), "error 20001: This formula is too long.");
   EXPECT_EQ(read(repeated("x", static_cast<int>(longestLatex) + 1)), "error 1: This formula is too long.");
   EXPECT_EQ(read(repeated("x", static_cast<int>(mostNodes) - 1)).find("error"), std::string::npos);
+}
+
+TEST(ReadLatexError, InAnotherLanguage_SaysNothingInEnglish) {
+  const test::SpokenToIn nobody(pseudoLanguage());
+  const std::string deep(deepestNesting + 1, '{');
+  for (const std::string latex :
+       {"\\foo", "x^{2", "{x&y}", "a\\left(x", "\\begin{matrix}a", "\\begin{matrix}a\\end{pmatrix}",
+        "\\begin{tikz}\\end{tikz}", "\\begin{array}{x}a\\end{array}", "\\begin{array}{}a\\end{array}",
+        "\\begin", "\\substack a", "x^a^b", "\\frac1", "\\hspace{2}", "\xFF", deep.c_str()}) {
+    const std::string told = read(latex);
+    EXPECT_TRUE(told.starts_with("error")) << told;
+    EXPECT_EQ(test::untranslatedIn(told, {"error"}), std::vector<std::string>()) << told;
+  }
 }
 
 } // namespace

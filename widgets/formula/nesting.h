@@ -1,6 +1,7 @@
 // What a reader of nested things enters and leaves again.
 #pragma once
 
+#include "lessons/words.h"
 #include "widgets/formula/token_stream.h"
 
 #include <utility>
@@ -13,7 +14,7 @@ public:
   /// Throws ReadError where this is too deep.
   Nesting(int &depth, TokenStream &tokens) : m_depth(depth) {
     if (m_depth >= deepestNesting)
-      throw ReadError{tokens.peek().column, "This is nested too deeply."};
+      throw ReadError{tokens.peek().column, halfspace::words("This is nested too deeply.")};
     ++m_depth;
   }
   ~Nesting() { --m_depth; }

@@ -1,5 +1,6 @@
 #include "widgets/formula/read_latex_tables.h"
 
+#include "lessons/words.h"
 #include "widgets/formula/latex_arguments.h"
 #include "widgets/formula/latex_command_readers.h"
 #include "widgets/formula/latex_errors.h"
@@ -65,6 +66,10 @@ const Environment *environmentNamed(std::string_view name) {
   return found == environments.end() ? nullptr : &*found;
 }
 
+[[noreturn]] void failColumns(std::size_t column) {
+  throw ReadError{column, halfspace::words("A table's columns are `l`, `c` and `r`, with `|` for a rule.")};
+}
+
 void readColumns(LatexReader &reader, const CommandCall &call, Table &table) {
   if (reader.tokens().peekMath().is('['))
     (void)reader.tokens().takeBetween('[', ']'); // where a table stands: ours stand on the axis
@@ -79,11 +84,11 @@ void readColumns(LatexReader &reader, const CommandCall &call, Table &table) {
       table.columnRules.push_back(0);
       reader.countNode();
     } else if (letter != ' ') {
-      throw ReadError{column, "A table's columns are `l`, `c` and `r`, with `|` for a rule."};
+      failColumns(column);
     }
   }
   if (table.columns.empty())
-    throw ReadError{column, "A table's columns are `l`, `c` and `r`, with `|` for a rule."};
+    failColumns(column);
 }
 
 int readRules(LatexReader &reader) {
@@ -143,13 +148,15 @@ void readTableRows(LatexReader &reader, Table &table) {
   }
 }
 
+std::string endOf(const std::string &environment) { return "\\end{" + environment + "}"; }
+
 void readEnvironment(LatexReader &reader, Row &row, const CommandCall &call) {
   const Nesting nesting = reader.nested();
   const std::string name = readName(reader.tokens(), call.column);
   const Environment *known = environmentNamed(name);
   const Environment environment = known ? *known : smallFenced(name);
   if (!known && name != "array" && !isInSmallFences(name))
-    throw ReadError{call.column, "The environment `" + name + "` is unknown."};
+    throw ReadError{call.column, halfspace::words("The environment `{name}` is unknown.", {{"name", name}})};
   Table table;
   table.kind = name == "array" ? TableKind::Matrix : environment.kind;
   if (name == "array")
@@ -159,10 +166,11 @@ void readEnvironment(LatexReader &reader, Row &row, const CommandCall &call) {
                          environment.columns.begin() + static_cast<std::ptrdiff_t>(environment.columnCount));
   readTableRows(reader, table);
   if (!reader.tokens().peekMath().isCommand("end"))
-    failUnclosed(reader.tokens(), call.column, "\\begin{" + name + "}", "\\end{" + name + "}");
+    failUnclosed(reader.tokens(), call.column, "\\begin{" + name + "}", endOf(name));
   const Token closing = reader.tokens().take();
   if (const std::string end = readName(reader.tokens(), closing.column); end != name)
-    throw ReadError{closing.column, "`\\end{" + end + "}` stands where `\\end{" + name + "}` is due."};
+    throw ReadError{closing.column, halfspace::words("`{found}` stands where `{due}` is due.",
+                                                     {{"found", endOf(end)}, {"due", endOf(name)}})};
   Node made = math::table(std::move(table));
   const bool isFenced = name != "array" && (environment.open != 0 || environment.close != 0);
   reader.add(row, isFenced ? fenced(environment.open, math::row(std::move(made)), environment.close)
@@ -172,7 +180,7 @@ void readEnvironment(LatexReader &reader, Row &row, const CommandCall &call) {
 void readSubstack(LatexReader &reader, Row &row, const CommandCall &call) {
   const Nesting nesting = reader.nested();
   if (!reader.tokens().takeIf('{'))
-    throw ReadError{call.column, "A `{` is missing behind this command."};
+    throw ReadError{call.column, halfspace::words("A `{` is missing behind this command.")};
   Table table;
   table.kind = TableKind::Stacked;
   table.columns = {Align::Center};

@@ -1,5 +1,7 @@
 #include "lessons/term/spoken.h"
 
+#include "lessons/pseudo_language.h"
+#include "lessons/term/greek.h"
 #include "lessons/term/prime.h"
 
 #include "tests/lessons/term/term_samples.h"
@@ -89,6 +91,13 @@ TEST(Spoken, OfRowsOfNumbers_CountsThem) {
 TEST(Spoken, WithADecimalComma_SaysTheComma) {
   const test::SpokenToIn language(test::withDecimalComma());
   EXPECT_EQ(spoken(Rational(637, 100)), "6,37");
+}
+
+TEST(Spoken, OfGreekLetters_HasTheirNamesInTheUsersLanguage) {
+  const SpokenToIn nobody(pseudoLanguage());
+  for (const GreekLetter &greek : greekLetters)
+    EXPECT_EQ(spoken(name(letter(std::string(greek.letter)), std::nullopt)),
+              inPseudoLanguage(greek.name.english));
 }
 
 } // namespace
