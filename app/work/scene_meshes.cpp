@@ -17,15 +17,18 @@ namespace {
 /// So many digits of a side of the box around a mesh are told.
 constexpr int sideDigits = 4;
 
+/// A list, so that each number can have a form of its own in languages where the count decides it.
 QString leftOutWords(const LoadedMesh &mesh) {
   QStringList parts;
   if (mesh.degenerate > 0)
-    parts << SceneMeshes::tr("%1 without an area").arg(counted(mesh.degenerate));
+    parts << SceneMeshes::tr("%1 without an area", nullptr, formOf(mesh.degenerate))
+                 .arg(counted(mesh.degenerate));
   if (mesh.repeated > 0)
-    parts << SceneMeshes::tr("%1 that stand there twice").arg(counted(mesh.repeated));
+    parts << SceneMeshes::tr("%1 that stand there twice", nullptr, formOf(mesh.repeated))
+                 .arg(counted(mesh.repeated));
   if (mesh.broken > 0)
-    parts << SceneMeshes::tr("%1 broken").arg(counted(mesh.broken));
-  return parts.isEmpty() ? QString() : SceneMeshes::tr(" Left out: %1.").arg(parts.join(", "));
+    parts << SceneMeshes::tr("%1 broken", nullptr, formOf(mesh.broken)).arg(counted(mesh.broken));
+  return parts.isEmpty() ? QString() : " " + SceneMeshes::tr("Left out: %1.").arg(parts.join(", "));
 }
 
 } // namespace
@@ -68,7 +71,7 @@ void SceneMeshes::take(const LoadedMesh &mesh) {
                           measuredText(mesh.size.z, sideDigits)) +
                  leftOutWords(mesh) +
                  (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
-                      ? tr(" Too large to be saved with the session.")
+                      ? " " + tr("Too large to be saved with the session.")
                       : QString()));
 }
 

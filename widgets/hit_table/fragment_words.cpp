@@ -46,8 +46,9 @@ QString leftOutWords(const FragmentRows &shown) {
   if (shown.leftOut == 0)
     return {};
   const QString count = counted(shown.leftOut);
-  return shown.leftOutAreOutside ? FragmentWords::tr("and %1 more outside").arg(count)
-                                 : FragmentWords::tr("and %1 more").arg(count);
+  const int form = formOf(shown.leftOut);
+  return shown.leftOutAreOutside ? FragmentWords::tr("and %1 more outside", nullptr, form).arg(count)
+                                 : FragmentWords::tr("and %1 more", nullptr, form).arg(count);
 }
 
 } // namespace halfspace

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 namespace {
@@ -39,9 +40,14 @@ QString counted(std::size_t count) {
   return inUsersMarks(QLocale(QLocale::English).toString(static_cast<qulonglong>(count)));
 }
 
+int formOf(std::size_t count) {
+  return static_cast<int>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
+}
+
 QString trianglesInWords(std::size_t count) {
   return count == 1 ? QCoreApplication::translate("figures", "1 triangle")
-                    : QCoreApplication::translate("figures", "%1 triangles").arg(counted(count));
+                    : QCoreApplication::translate("figures", "%1 triangles", nullptr, formOf(count))
+                          .arg(counted(count));
 }
 
 QString roundedText(double value, int digits) { return inUsersMarks(englishText(value, digits)); }

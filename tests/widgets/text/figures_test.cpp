@@ -3,9 +3,26 @@
 
 #include "tests/lessons/spoken_to_in.h"
 
+#include <QTranslator>
 #include <QtTest>
 
+#include <limits>
+
 using namespace halfspace;
+
+namespace {
+
+/// Of a language in which two, three and four have a form of their own.
+class CzechTriangles : public QTranslator {
+public:
+  [[nodiscard]] bool isEmpty() const override { return false; }
+  [[nodiscard]] QString translate(const char * /*context*/, const char * /*english*/,
+                                  const char * /*disambiguation*/, int count) const override {
+    return count >= 2 && count <= 4 ? "%1 trojúhelníky" : "%1 trojúhelníků";
+  }
+};
+
+} // namespace
 
 class FiguresTest : public QObject {
   Q_OBJECT
@@ -17,6 +34,15 @@ private slots:
     QCOMPARE(trianglesInWords(1), QString("1 triangle"));
     QCOMPARE(trianglesInWords(0), QString("0 triangles"));
     QCOMPARE(trianglesInWords(25'000), QString("25,000 triangles"));
+  }
+
+  void triangles_areInTheFormThatTheirCountHas() {
+    CzechTriangles czech;
+    QCoreApplication::installTranslator(&czech);
+    QCOMPARE(trianglesInWords(3), QString("3 trojúhelníky"));
+    QCOMPARE(trianglesInWords(5), QString("5 trojúhelníků"));
+    QCOMPARE(trianglesInWords(25'000), QString("25,000 trojúhelníků"));
+    QCOMPARE(formOf(std::numeric_limits<std::size_t>::max()), std::numeric_limits<int>::max());
   }
 
   void measurements_haveSoManyDigits_andNoPowersOfTen() {
@@ -40,5 +66,5 @@ private slots:
   }
 };
 
-QTEST_APPLESS_MAIN(FiguresTest)
+QTEST_GUILESS_MAIN(FiguresTest)
 #include "figures_test.moc"
