@@ -8,6 +8,7 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/project_vector.h"
 #include "geometry/solid_shape.h"
+#include "lessons/construction/parts/place_rows.h"
 #include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/shifted_ray.h"
 #include "lessons/construction/parts/solid_edges.h"
@@ -90,27 +91,60 @@ struct Out : Computed<In>, RayTerms {
   [[nodiscard]] std::string nameOfFace(std::size_t face) const { return faceName(in.K, face); }
 };
 
-/// The face where the line goes in or comes out, or the edge or corner of it.
-std::string placeWords(const Contact &contact, const Out &at) {
+/// Where the line goes through an edge of its face, the other face of that; else nothing.
+std::string otherFaceName(const Contact &contact, const Out &at) {
+  if (contact.part != FacePart::Edge)
+    return {};
   const std::size_t face = contact.crossing.face;
-  const WordValues values{{"face", at.nameOfFace(face)}};
-  if (contact.part == FacePart::Interior)
-    return at.nameOfFace(face);
-  if (contact.part == FacePart::Vertex)
-    return words("a corner of {face}", values);
   const auto shared = std::find_if(at.edges.begin(), at.edges.end(), [face](const SolidEdge &edge) {
     return edge.isOf(face) && edge.product == 0;
   });
-  const std::size_t other = shared->face == face ? shared->opposite : shared->face;
-  return words("the edge of {face} and {other}", values, {{"other", at.nameOfFace(other)}});
+  return at.nameOfFace(shared->face == face ? shared->opposite : shared->face);
 }
 
 WordValues contactWords(const Out &at) {
-  return {
-      {"Q", plainText(at.Q)},         {"in", placeWords(at.entry(), at)}, {"out", placeWords(at.exit(), at)},
-      {"t1", equation(at.entry().t)}, {"t2", equation(at.exit().t)},      {"H1", plainText(at.entry().H)},
-      {"H2", plainText(at.exit().H)}};
+  return {{"Q", plainText(at.Q)},
+          {"in", at.nameOfFace(at.entry().crossing.face)},
+          {"out", at.nameOfFace(at.exit().crossing.face)},
+          {"inOther", otherFaceName(at.entry(), at)},
+          {"outOther", otherFaceName(at.exit(), at)},
+          {"t1", equation(at.entry().t)},
+          {"t2", equation(at.exit().t)},
+          {"H1", plainText(at.entry().H)},
+          {"H2", plainText(at.exit().H)}};
 }
+
+/// A ray that goes in through this part of a face: the sentences for where it comes out.
+PlaceSentences throughSentences(FacePart in) {
+  switch (in) {
+  case FacePart::Edge:
+    return {
+        says("The ray goes in through the edge of {in} and {inOther} at {t1}, and comes out through {out} "
+             "at {t2}."),
+        says("The ray goes in through the edge of {in} and {inOther} at {t1}, and comes out through the "
+             "edge of {out} and {outOther} at {t2}."),
+        says("The ray goes in through the edge of {in} and {inOther} at {t1}, and comes out through a "
+             "corner of {out} at {t2}.")};
+  case FacePart::Vertex:
+    return {
+        says("The ray goes in through a corner of {in} at {t1}, and comes out through {out} at {t2}."),
+        says("The ray goes in through a corner of {in} at {t1}, and comes out through the edge of {out} "
+             "and {outOther} at {t2}."),
+        says("The ray goes in through a corner of {in} at {t1}, and comes out through a corner of {out} at "
+             "{t2}.")};
+  default:
+    return {says("The ray goes in through {in} at {t1}, and comes out through {out} at {t2}."),
+            says("The ray goes in through {in} at {t1}, and comes out through the edge of {out} and "
+                 "{outOther} at {t2}."),
+            says("The ray goes in through {in} at {t1}, and comes out through a corner of {out} at {t2}.")};
+  }
+}
+
+constexpr PlaceSentences fromInside{
+    says("The ray starts inside: {t1} is behind its start. It comes out through {out} at {t2}."),
+    says("The ray starts inside: {t1} is behind its start. It comes out through the edge of {out} and "
+         "{outOther} at {t2}."),
+    says("The ray starts inside: {t1} is behind its start. It comes out through a corner of {out} at {t2}.")};
 
 std::string throughWords(const Out &at) {
   const WordValues values = contactWords(at);
@@ -119,12 +153,11 @@ std::string throughWords(const Out &at) {
                  "start.",
                  values);
   if (at.entry().isAhead)
-    return words("The ray goes in through {in} at {t1}, and comes out through {out} at {t2}.", values);
+    return words(sentenceFor(at.exit().part, throughSentences(at.entry().part)), values);
   return at.meet.origin == SolidLocation::On
              ? words("The ray starts on the solid and leads away from it: it has only its start in common "
                      "with it.")
-             : words("The ray starts inside: {t1} is behind its start. It comes out through {out} at {t2}.",
-                     values);
+             : words(sentenceFor(at.exit().part, fromInside), values);
 }
 
 std::string touchWords(const Out &at) {

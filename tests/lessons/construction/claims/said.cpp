@@ -82,7 +82,7 @@ private:
     const auto length = m_rest.find(endsEnglish);
     if (length == std::string_view::npos)
       throw std::invalid_argument("a sentence was cut in two");
-    Said said{unshielded(std::string(m_rest.substr(0, length))), {}, {}};
+    Said said{unshielded(std::string(m_rest.substr(0, length)))};
     m_rest.remove_prefix(length + 1);
     std::string text;
     for (const std::string &place : placesOf(said.english)) {
@@ -90,6 +90,7 @@ private:
       text += said.texts[place] = readUntil(endsPlace);
     }
     text += readUntil(endsSentence);
+    said.text = text;
     m_sentences.push_back(std::move(said));
     return text;
   }

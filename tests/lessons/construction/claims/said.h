@@ -15,12 +15,13 @@ class Said {
 public:
   /// As it stands in the program: `{f} is positive: …`
   std::string english;
+  std::string text{}; ///< as it was said, with all that stands in it
 
   /// The text that was put at a place; empty for a place that the sentence does not have.
   [[nodiscard]] std::string at(const std::string &place) const;
 
-  std::map<std::string, std::string> texts; ///< by the places' names
-  std::string line; ///< the id of the worked line that it was said in; empty in the words of the case
+  std::map<std::string, std::string> texts{}; ///< by the places' names
+  std::string line{}; ///< the id of the worked line that it was said in; empty in the words of the case
 };
 
 /// While it lives every sentence tells where it begins and ends and which English one it is. The text is
