@@ -690,6 +690,24 @@ private slots:
     }
   }
 
+  void oneMove_ofAHandle_isDrawnOnce_andOnceMoreAtRest() {
+    WindowFixture fixture("ray-triangle-perp");
+    QVERIFY(fixture.ready);
+    const QPoint from = *handlePosition(fixture.scene(), "T.P1");
+    fixture.press(from);
+    QTest::qWait(400); // until labels have come and the view is at rest
+    QSignalSpy evaluated(&fixture.model(), &SessionModel::outcomeChanged);
+    QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
+    const QPoint at = from + QPoint(60, 30);
+    QMouseEvent move(QEvent::MouseMove, at, fixture.scene().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                     {});
+    QCoreApplication::sendEvent(&fixture.scene(), &move);
+    QTRY_COMPARE(evaluated.count(), 1);
+    QTest::qWait(4 * FramePacer::restDelay);
+    QVERIFY2(drawn.count() <= 2, qPrintable(QString::number(drawn.count())));
+    fixture.release();
+  }
+
   void drag_withManyMoves_drawsAtMostOneFrameAnEvaluation() {
     WindowFixture fixture("ray-triangle-perp");
     QVERIFY(fixture.ready);

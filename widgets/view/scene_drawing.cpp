@@ -47,7 +47,7 @@ SceneDrawing::~SceneDrawing() {
 
 void SceneDrawing::setTheme(const Theme &theme) {
   m_composer.setTheme(theme);
-  request();
+  requestNew(); // tools keep clear of lines, which are thicker in some themes
 }
 
 void SceneDrawing::takeOutcome(bool inGesture) {
@@ -57,8 +57,8 @@ void SceneDrawing::takeOutcome(bool inGesture) {
 }
 
 void SceneDrawing::frame() {
+  m_hold.follow(m_viewpoint.view()); // first: what it asks for is in this frame
   m_frames.begin();
-  m_hold.follow(m_viewpoint.view());
   if (!m_widget.isValid() || !m_widget.isVisible())
     return;
   const auto start = Clock::now();

@@ -49,7 +49,7 @@ public:
   /// All that belongs to the view has taken up a new outcome.
   void takeOutcome(bool inGesture);
 
-  /// To be called before the view is painted, as VTK draws by itself after a change of size, and after it.
+  /// To be called before and after the view is painted: VTK draws by itself after a change of size.
   void prepare();
   void painted() { m_frames.painted(); }
 
