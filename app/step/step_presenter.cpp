@@ -22,7 +22,7 @@ StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerP
   connect(&model, &SessionModel::stepChanged, this, &StepPresenter::showStep);
   connect(&model, &SessionModel::outcomeChanged, this, &StepPresenter::showOutcome);
   const WorkingPractice &practice = panels.practice();
-  connect(&practice, &WorkingPractice::blanksChanged, this, &StepPresenter::showOutcome);
+  connect(&practice, &WorkingPractice::blanksChanged, this, &StepPresenter::showBesideLines);
   connect(&practice, &WorkingPractice::newNumbersRequested, this, [this] { m_freshStart.renewNumbers(); });
   connect(&panels.scene().caseLine(), &CaseLine::afreshChosen, this, [this] { m_freshStart.startOver(); });
   connect(&m_highlights, &MarkHighlights::markHovered, &m_flight, &FlightPresenter::showHovered);
@@ -44,6 +44,10 @@ void StepPresenter::showStep() {
 
 void StepPresenter::showOutcome() {
   m_page.showLines();
+  showBesideLines();
+}
+
+void StepPresenter::showBesideLines() {
   const bool hidden = m_question.hidesNumbers();
   m_inspector.setResultsHidden(hidden);
   m_scene.drawn().setNumbersHidden(hidden);

@@ -14,9 +14,9 @@ namespace halfspace {
 class Inspector;
 class WindowPanels;
 
-/// Writes the page, the numbers, the flight and the case line at every change of the session, in this order;
-/// the scene, the flat picture and the card of numbers follow the session themselves. Each part of it shows
-/// one thing.
+/// Writes the lines, the numbers, the words, the flight and the case line at every change of the session, in
+/// this order; the scene, the flat picture and the card of numbers follow the session themselves. Each part
+/// of it shows one thing.
 class StepPresenter : public QObject {
   Q_OBJECT
 public:
@@ -34,6 +34,8 @@ public:
 private:
   void showStep();
   void showOutcome();
+  /// All but the lines, which have blanks of their own that hide it or show it.
+  void showBesideLines();
 
   LearnerProgress &m_progress;
   SceneView &m_scene;
