@@ -85,7 +85,8 @@ void FlatView::takeOutcome() {
     emit sizeChanged();
   if (!hasPicture())
     return;
-  describe();
+  if (!m_model.history().inGesture())
+    describe();
   // What is held must not jump under the hand.
   if (isOpen() && !m_drag && (!m_model.history().inGesture() || !m_picture.isInView()))
     fit();
