@@ -27,8 +27,8 @@ public:
   void setStep(int step);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
-  /// Sets the step's words with what their live values are now, which are asked for again where words come
-  /// into sight. Keeps the place that was scrolled to.
+  /// Sets the step's words with what their live values are now. These are asked for again where words come
+  /// into sight: what `valueOf` looks at must outlive the page. Keeps the place that was scrolled to.
   void showWords(LiveValueOf valueOf) { m_blocks->showWords(std::move(valueOf)); }
   /// The blocks about a flight, of the step that is shown.
   [[nodiscard]] FlightBlocks &flight() { return m_flight; }

@@ -11,7 +11,7 @@ class WrappedLabel : public QLabel {
 public:
   explicit WrappedLabel(const char *name, QWidget *parent = nullptr);
 
-  /// The height that all words need. Measured once for a width, type and style.
+  /// The height that all words need. Measured once for a width, type and style, until it is forgotten.
   [[nodiscard]] int heightIn(int width);
 
 protected:
