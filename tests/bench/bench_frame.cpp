@@ -273,6 +273,8 @@ void printGoals(const Measured &measured) {
   printGoal("our share at most 1 ms (median)", measured.share.median(), measured.share.median() <= shareGoal);
   printGoal("whole frame at most 1.10 x bare VTK (medians)", ratio, ratio <= frameGoal);
   printGoal("drags whose end was lost: 0", measured.isKept ? 0 : 1, measured.isKept);
+  printGoal("frames a move: at most 1", double(measured.frames) / measured.moves,
+            measured.frames <= measured.moves);
   printGoal("renders a frame: 1", double(measured.renders) / measured.frames,
             measured.renders == measured.frames);
 }
