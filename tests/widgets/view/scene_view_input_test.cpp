@@ -1,6 +1,8 @@
 // The mouse and the keys over the 3D view: hovering, grabbing, letting go, choosing handles.
 #include "tests/widgets/view/view_fixture.h"
 
+#include "lessons/object/kinds/plane.h"
+
 #include <QToolTip>
 
 using namespace halfspace;
@@ -45,6 +47,23 @@ private slots:
     QVERIFY(!fixture.model.history().inGesture());
     QVERIFY(fixture.model.session() == before);
     QCOMPARE(fixture.model.history().count(), 0);
+  }
+
+  void selection_whoseHandleGoesInAGesture_isLostAtOnce() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    SceneHandles &handles = fixture.view.handles();
+    handles.select("E.offset");
+    QCOMPARE(handles.selection().selectedId(), std::string("E.offset"));
+    QSignalSpy selected(&handles, &SceneHandles::selectionChanged);
+    SessionHistory &history = fixture.model.history();
+    const GestureToken held = history.beginGesture("Turn the plane");
+    history.moveGesture(held, ChangeObject{"E", PlaneObject{{0, 0, 0}, {3, 2, 1}}});
+    QCOMPARE(selected.count(), 0);
+    history.moveGesture(held, ChangeObject{"E", PlaneObject{{0, 0, 0}, {0, 0, 0}}}); // along no normal
+    QCOMPARE(handles.selection().selectedId(), std::string());
+    QCOMPARE(selected.count(), 1);
+    history.cancelGesture(held);
   }
 
   void doubleClick_onAHandle_grabsItLikeAPress() {
