@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAccessible>
+#include <QWidget>
 
 namespace halfspace {
 
@@ -15,6 +16,12 @@ template <class Widget, class Spoken> void speakBy() {
     return true;
   }();
   (void)isTold;
+}
+
+/// A screen reader is told another name or description of a widget now. Nothing is made where nobody listens.
+inline void tellSpoken(QWidget &widget, QAccessible::Event what) {
+  QAccessibleEvent changed(&widget, what);
+  QAccessible::updateAccessibility(&changed);
 }
 
 } // namespace halfspace

@@ -62,7 +62,7 @@ void TaskRow::setWords(FilledMarkdown instruction, Lazy<FilledMarkdown> now, Laz
   m_now = std::move(now);
   m_answer = std::move(answer);
   if (showRemark() || isOther)
-    tellSpoken();
+    tellScreenReader();
 }
 
 void TaskRow::setHeld(bool held) {
@@ -85,7 +85,7 @@ void TaskRow::setState(TaskState state) {
   showRemark();
   setInks();
   setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
-  tellSpoken();
+  tellScreenReader();
   update();
 }
 
@@ -110,11 +110,9 @@ QString TaskRow::spokenDescription() const {
   return m_state == TaskState::Waiting ? tr("after those above") : m_remark->plain();
 }
 
-void TaskRow::tellSpoken() {
-  for (const QAccessible::Event what : {QAccessible::NameChanged, QAccessible::DescriptionChanged}) {
-    QAccessibleEvent changed(this, what);
-    QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
-  }
+void TaskRow::tellScreenReader() {
+  tellSpoken(*this, QAccessible::NameChanged);
+  tellSpoken(*this, QAccessible::DescriptionChanged);
 }
 
 void TaskRow::paintEvent(QPaintEvent *) {

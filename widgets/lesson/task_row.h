@@ -35,7 +35,7 @@ private:
   /// Says below the instruction what is said there now; whether that is something else.
   bool showRemark();
   void setInks();
-  void tellSpoken();
+  void tellScreenReader();
 
   RichLabel *m_words;
   RichLabel *m_remark;

@@ -56,8 +56,7 @@ bool RichLabel::setWords(FilledMarkdown words) {
   const int before = heightForWidth(width());
   m_text.setWords(std::move(words));
   lookForLinks();
-  QAccessibleEvent changed(this, QAccessible::NameChanged);
-  QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
+  tellSpoken(*this, QAccessible::NameChanged);
   if (heightForWidth(width()) != before)
     updateGeometry();
   if (m_held)

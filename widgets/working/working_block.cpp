@@ -30,11 +30,6 @@ private:
   const WorkingBlock &m_block;
 };
 
-void tellSpoken(WorkingBlock &block) {
-  QAccessibleEvent changed(&block, QAccessible::DescriptionChanged);
-  QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
-}
-
 constexpr int usualWidth = 400;
 
 } // namespace
@@ -57,7 +52,8 @@ WorkingBlock::WorkingBlock(const Typesetter &typesetter, QWidget *parent)
 
 void WorkingBlock::connectParts() {
   connect(&m_cursor, &LineCursor::changed, this, qOverload<>(&QWidget::update));
-  connect(&m_cursor, &LineCursor::choiceChanged, this, [this] { tellSpoken(*this); });
+  connect(&m_cursor, &LineCursor::choiceChanged, this,
+          [this] { tellSpoken(*this, QAccessible::DescriptionChanged); });
   connect(&m_cursor, &LineCursor::reached, this, &WorkingBlock::reached);
   connect(&m_cursor, &LineCursor::chosenUsed, this, [this](const NumberPlace &number) {
     if (number.coordinate())
@@ -92,7 +88,7 @@ void WorkingBlock::showLines() {
       m_layout.lines()));
   m_cursor.followLines();
   placeLines();
-  tellSpoken(*this);
+  tellSpoken(*this, QAccessible::DescriptionChanged);
   if (lostFocus && !m_blanks.focusFirst())
     setFocus();
 }
