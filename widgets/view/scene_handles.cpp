@@ -33,11 +33,12 @@ void SceneHandles::takeLesson() {
 
 void SceneHandles::takeOutcome() {
   const std::string selected = m_selection.selectedId();
-  if (m_model.history().inGesture())
+  const bool inGesture = m_model.history().inGesture();
+  if (inGesture)
     takeHandles();
   else
     takeOthers();
-  if (!m_model.history().inGesture() || m_selection.selectedId() != selected)
+  if (!inGesture || m_selection.selectedId() != selected)
     emit selectionChanged();
   emit changed();
   emit hintChanged(); // from its new place a handle may move otherwise
