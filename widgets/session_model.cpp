@@ -111,25 +111,26 @@ void SessionModel::showSince(const Session &before) {
     if (!m_history.inGesture())
       m_scene.takeStage(session().scene);
   }
-  m_scene.takeStep(step(), m_question);
-  m_isTellingOfStep = true;
+  takeStep();
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)
     emit stepChanged();
-  m_isTellingOfStep = false;
   emit outcomeChanged();
 }
 
 const LessonStep &SessionModel::step() const { return stepOf(*m_lesson, session().step); }
 
-void SessionModel::setQuestion(Question question) {
-  if (question == m_question)
+void SessionModel::setQuestionOf(std::function<Question()> questionOf) {
+  m_questionOf = std::move(questionOf);
+  takeQuestion();
+}
+
+void SessionModel::takeQuestion() {
+  if (m_questionOf() == m_scene.question())
     return;
-  m_question = question;
-  m_scene.takeStep(step(), m_question);
-  if (!m_isTellingOfStep)
-    emit outcomeChanged();
+  takeStep();
+  emit outcomeChanged();
 }
 
 std::vector<SnapTarget> askedOf(const SessionModel &model, const Handle &handle) {

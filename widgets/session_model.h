@@ -8,6 +8,7 @@
 #include "widgets/session_history.h"
 #include "widgets/shown_scene.h"
 
+#include <functional>
 #include <map>
 
 namespace halfspace {
@@ -68,8 +69,11 @@ public:
   void setStep(int step);
   /// Where the scene is looked at from now; nothing: as the lesson begins. No undo step, and no change.
   void setView(const std::optional<ChosenView> &view);
-  /// Whether the current step's question is answered, if it has one: see shownIn.
-  void setQuestion(Question question);
+  /// Who knows whether the current step's question is answered, if it has one: see shownIn. It is asked for
+  /// every outcome; before, each question counts as answered.
+  void setQuestionOf(std::function<Question()> questionOf);
+  /// The question may have been answered, or be open again.
+  void takeQuestion();
 
 signals:
   void outcomeChanged(); ///< after every change of scene, stage, step or question
@@ -82,14 +86,14 @@ private:
   void show(Session session);
   /// Shows the session of the history, which was another one before.
   void showSince(const Session &before);
+  void takeStep() { m_scene.takeStep(step(), m_questionOf()); }
 
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
   const Lesson *m_lesson = nullptr;
   SessionHistory m_history;
   ShownScene m_scene;
-  Question m_question = Question::Answered;
-  bool m_isTellingOfStep = false; ///< the outcome is told behind it, once
+  std::function<Question()> m_questionOf = [] { return Question::Answered; };
   std::map<std::string, Session> m_left;
   Snapping m_snapping;
 };

@@ -16,6 +16,7 @@ bool ShownScene::takeStage(const Scene &scene) {
 
 void ShownScene::takeStep(const LessonStep &step, Question question) {
   m_shown = shownIn(step, m_evaluation, m_figure, question);
+  m_question = question;
 }
 
 } // namespace halfspace

@@ -20,12 +20,15 @@ public:
   /// All of its marks.
   [[nodiscard]] const Figure &figure() const { return m_figure; }
   [[nodiscard]] const Shown &shown() const { return m_shown; }
+  /// Whether that was taken with the question of its step answered.
+  [[nodiscard]] Question question() const { return m_question; }
   [[nodiscard]] const Stage &stage() const { return m_stage; }
 
 private:
   Evaluation m_evaluation;
   Figure m_figure;
   Shown m_shown;
+  Question m_question = Question::Answered;
   Stage m_stage;
 };
 

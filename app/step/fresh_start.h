@@ -5,6 +5,7 @@
 
 namespace halfspace {
 
+struct Scene;
 class LearnerProgress;
 class SessionModel;
 class StepQuestion;
@@ -24,6 +25,9 @@ public:
   void renewNumbers();
 
 private:
+  /// With the question that is asked again, in one outcome.
+  void replaceScene(Scene scene, const QString &description);
+
   SessionModel &m_model;
   UnfinishedInput &m_input;
   StepQuestion &m_question;

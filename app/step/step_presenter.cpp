@@ -31,7 +31,6 @@ StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerP
 
 void StepPresenter::showAll() {
   m_page.showLesson();
-  m_question.tellModel();
   showOutcome();
 }
 
@@ -39,7 +38,6 @@ void StepPresenter::showStep() {
   m_page.showStep();
   m_scene.handles().select({}); // its tools would stand in the next step's figure
   m_progress.ofStep().tasks.arrive();
-  m_question.tellModel();
 }
 
 void StepPresenter::showOutcome() {

@@ -5,7 +5,9 @@
 namespace halfspace {
 
 StepQuestion::StepQuestion(SessionModel &model, LearnerProgress &progress, const WorkingPractice &practice)
-    : m_model(model), m_progress(progress), m_practice(practice) {}
+    : m_model(model), m_progress(progress), m_practice(practice) {
+  model.setQuestionOf([this] { return isOpen() ? Question::Open : Question::Answered; });
+}
 
 bool StepQuestion::isOpen() const { return predictionOf(m_model.step()) && !m_progress.ofStep().chosen; }
 
@@ -17,17 +19,19 @@ void StepQuestion::answer(const QString &choice) {
   done.chosen = choice.toStdString();
   done.right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation());
   emit changed();
-  tellModel();
+  m_model.takeQuestion();
 }
 
 void StepQuestion::reopen() {
+  forgetAnswer();
+  m_model.takeQuestion();
+}
+
+void StepQuestion::forgetAnswer() {
   if (!predictionOf(m_model.step()))
     return;
   m_progress.ofStep().chosen.reset();
   emit changed();
-  tellModel();
 }
-
-void StepQuestion::tellModel() { m_model.setQuestion(isOpen() ? Question::Open : Question::Answered); }
 
 } // namespace halfspace

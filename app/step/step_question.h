@@ -9,11 +9,12 @@ namespace halfspace {
 
 class WorkingPractice;
 
-/// Knows whether the step's question is open, and keeps the learner's answer in what is done.
+/// Knows whether the step's question is open, which the model asks it for, and keeps the learner's answer in
+/// what is done.
 class StepQuestion : public QObject {
   Q_OBJECT
 public:
-  /// All must outlive it.
+  /// All must outlive it; behind its end the model has no other outcome any more.
   StepQuestion(SessionModel &model, LearnerProgress &progress, const WorkingPractice &practice);
 
   /// Whether the step asks a question that is not answered yet.
@@ -23,8 +24,8 @@ public:
   void answer(const QString &choice);
   /// The learner may answer once more. In a step without a question nothing happens.
   void reopen();
-  /// Tells the model whether the question of its step is answered.
-  void tellModel();
+  /// The same for who changes the scene next: the model asks then.
+  void forgetAnswer();
 
 signals:
   void changed(); ///< it is answered or open again; the model is not told yet

@@ -540,7 +540,15 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.answer(0);
     QVERIFY(!fixture.questionIsOpen());
+    const Scene start = fixture.model().session().scene;
+    QCOMPARE(fixture.model().history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move"), QString());
+    QSignalSpy changed(&fixture.model(), &SessionModel::outcomeChanged);
     fixture.action(QKeySequence("Ctrl+R"))->trigger();
+    QVERIFY(fixture.questionIsOpen());
+    QVERIFY(fixture.model().session().scene == start);
+    QCOMPARE(changed.count(), 1);
+    fixture.answer(0);
+    fixture.action(QKeySequence("Ctrl+R"))->trigger(); // nothing else has changed
     QVERIFY(fixture.questionIsOpen());
   }
 

@@ -116,10 +116,10 @@ private slots:
 
   void openQuestion_leavesOnlyWhatIsGiven() {
     FlatFixture fixture;
-    fixture.model.setQuestion(Question::Open);
+    fixture.model.setQuestionOf([] { return Question::Open; });
     QVERIFY(!findMark(fixture.flat.figure(), "picture.B"));
     QVERIFY(findMark(fixture.flat.figure(), "L.Q"));
-    fixture.model.setQuestion(Question::Answered);
+    fixture.model.setQuestionOf([] { return Question::Answered; });
     QVERIFY(findMark(fixture.flat.figure(), "picture.B"));
   }
 
