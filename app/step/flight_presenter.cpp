@@ -1,7 +1,6 @@
 #include "app/step/flight_presenter.h"
 
 #include "app/step/flight_keys.h"
-#include "app/step/step_question.h"
 #include "lessons/lesson/live_values.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/object/kinds/number.h"
@@ -50,9 +49,8 @@ std::size_t fragmentWith(const Crossings &crossings, const std::string &mark) {
 
 } // namespace
 
-FlightPresenter::FlightPresenter(SessionModel &model, FlightBlocks &blocks, const StepQuestion &question,
-                                 Messages messages)
-    : m_model(model), m_blocks(blocks), m_question(question), m_messages(messages), m_player(model) {
+FlightPresenter::FlightPresenter(SessionModel &model, FlightBlocks &blocks, Messages messages)
+    : m_model(model), m_blocks(blocks), m_messages(messages), m_player(model) {
   connect(&blocks, &FlightBlocks::barMade, this, [this](FlightBar *bar) { serve(*bar); });
   connect(&m_player, &FlightPlayer::stateChanged, this, &FlightPresenter::show);
   connect(&blocks, &FlightBlocks::fragmentChosen, this,
@@ -68,17 +66,20 @@ void FlightPresenter::serve(FlightBar &bar) {
     bar.setKeys(control, keysOf(control));
 }
 
-void FlightPresenter::show() {
-  const bool hidden = m_question.hidesNumbers();
+void FlightPresenter::setNumbersHidden(bool hidden) {
+  m_areNumbersHidden = hidden;
   if (hidden)
     m_player.play(false); // nobody could end it
+}
+
+void FlightPresenter::show() {
   FlightState state = m_player.state();
-  state.hidden = hidden;
-  emit controllable(state.canFire && !hidden);
+  state.hidden = m_areNumbersHidden;
+  emit controllable(state.canFire && !state.hidden);
   m_blocks.showState(state);
   m_blocks.showCrossings(
       [this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
-      hidden ? LiveValues::Hidden : LiveValues::Shown);
+      state.hidden ? LiveValues::Hidden : LiveValues::Shown);
   m_blocks.showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
 }
 

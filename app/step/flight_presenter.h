@@ -10,15 +10,16 @@
 namespace halfspace {
 
 class FlightBlocks;
-class StepQuestion;
 
 /// Writes the blocks about a flight, and takes up what the learner does there.
 class FlightPresenter : public QObject {
   Q_OBJECT
 public:
   /// All must outlive it.
-  FlightPresenter(SessionModel &model, FlightBlocks &blocks, const StepQuestion &question, Messages messages);
+  FlightPresenter(SessionModel &model, FlightBlocks &blocks, Messages messages);
 
+  /// While numbers are hidden nothing can be controlled, and a flight that is played stops.
+  void setNumbersHidden(bool hidden);
   void show();
   /// Lights up the fragment that alone has the mark that the pointer is on.
   void showHovered(const QString &markId);
@@ -37,9 +38,9 @@ private:
 
   SessionModel &m_model;
   FlightBlocks &m_blocks;
-  const StepQuestion &m_question;
   Messages m_messages;
   FlightPlayer m_player;
+  bool m_areNumbersHidden = false;
 };
 
 } // namespace halfspace

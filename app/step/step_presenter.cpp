@@ -15,7 +15,7 @@ StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerP
     : m_progress(progress), m_scene(panels.scene().view()), m_inspector(panels.inspector()),
       m_question(model, progress, panels.practice()), m_atStart(model),
       m_freshStart(model, panels.input(), m_question, progress),
-      m_flight(model, panels.page().flight(), m_question, panels.messages()),
+      m_flight(model, panels.page().flight(), panels.messages()),
       m_page(model, panels.page(), panels.practice(), m_question, progress, m_atStart),
       m_case(model, panels.scene().caseLine(), m_scene, m_question, m_atStart),
       m_highlights(m_scene, panels.scene().flat(), panels.practice().working()) {
@@ -49,6 +49,7 @@ void StepPresenter::showBesideLines() {
   const bool hidden = m_question.hidesNumbers();
   m_inspector.setResultsHidden(hidden);
   m_scene.drawn().setNumbersHidden(hidden);
+  m_flight.setNumbersHidden(hidden);
   m_inspector.showSession();
   m_page.showWords();
   m_flight.show();
