@@ -4,8 +4,6 @@
 #include "widgets/view/scene_view.h"
 #include "widgets/working/step_working.h"
 
-#include <utility>
-
 namespace halfspace {
 
 MarkHighlights::MarkHighlights(SceneView &scene, FlatView &flat, StepWorking &working)
@@ -35,7 +33,7 @@ void MarkHighlights::show() {
   marks.insert(m_fragment.begin(), m_fragment.end());
   m_working.setHighlighted(marks);
   m_flat.setHighlighted(marks);
-  m_drawn.setHighlighted(std::move(marks));
+  m_drawn.setHighlighted(marks);
 }
 
 } // namespace halfspace

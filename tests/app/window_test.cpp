@@ -597,6 +597,7 @@ private slots:
     QTest::mouseMove(&fixture.scene(), *handlePosition(fixture.scene(), "Q"));
     QTRY_VERIFY(hovered.count() > 0);
     QCOMPARE(hovered.last().first().toString(), QString("Q"));
+    QVERIFY(fixture.scene().drawn().highlighted().contains("Q"));
   }
 
   void session_savedAndOpened_isTheSame() {

@@ -61,8 +61,10 @@ void DrawnFigure::arrive() {
   m_extents.arrive();
 }
 
-void DrawnFigure::setHighlighted(std::set<std::string> markIds) {
-  m_highlighted = std::move(markIds);
+void DrawnFigure::setHighlighted(const std::set<std::string> &markIds) {
+  if (markIds == m_highlighted)
+    return;
+  m_highlighted = markIds;
   emit changed();
 }
 

@@ -25,8 +25,8 @@ public:
   /// All that fades or glides is there.
   void arrive();
 
-  /// Marks that stand out beside the hovered one, as when their terms are hovered.
-  void setHighlighted(std::set<std::string> markIds);
+  /// The marks that stand out, as those that are hovered here or in a line.
+  void setHighlighted(const std::set<std::string> &markIds);
   [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);

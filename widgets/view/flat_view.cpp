@@ -61,8 +61,10 @@ void FlatView::setSizeScale(double scale) {
   emit sizeChanged();
 }
 
-void FlatView::setHighlighted(std::set<std::string> markIds) {
-  m_highlighted = std::move(markIds);
+void FlatView::setHighlighted(const std::set<std::string> &markIds) {
+  if (markIds == m_highlighted)
+    return;
+  m_highlighted = markIds;
   update();
 }
 
@@ -118,8 +120,6 @@ void FlatView::paintEvent(QPaintEvent *event) {
   painter.setClipRect(contentsRect());
   SceneContent content = m_picture.shown();
   content.highlighted = m_highlighted;
-  if (!m_hovered.empty())
-    content.highlighted.insert(m_hovered);
   m_painter.paint(painter, content, m_theme, view());
 }
 
@@ -201,7 +201,6 @@ void FlatView::hover(const std::string &mark) {
   if (mark == m_hovered)
     return;
   m_hovered = mark;
-  update();
   emit markHovered(QString::fromStdString(mark));
 }
 

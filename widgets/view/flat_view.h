@@ -22,8 +22,8 @@ public:
   void setTheme(const Theme &theme);
   /// Makes type and lines larger; 1 is their usual size.
   void setSizeScale(double scale);
-  /// Marks that stand out beside the hovered one.
-  void setHighlighted(std::set<std::string> markIds);
+  /// The marks that stand out. Which one is hovered is only told: see markHovered.
+  void setHighlighted(const std::set<std::string> &markIds);
 
   /// Whether the open lesson has a flat picture, and its scene what that is made of.
   [[nodiscard]] bool hasPicture() const { return m_picture.isThere(); }

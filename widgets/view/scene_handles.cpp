@@ -132,8 +132,6 @@ std::optional<Gizmo> SceneHandles::gizmo() const {
 }
 
 void SceneHandles::addTo(SceneContent &content) const {
-  if (!m_hoveredMark.empty())
-    content.highlighted.insert(m_hoveredMark);
   content.gizmo = gizmo();
   content.knobs = knobs();
   const Handle *dropped = m_selection.regarded();
