@@ -45,10 +45,10 @@ void HandleHold::follow(const View &view) {
   const auto move = m_drag->moveTo(*m_pointer, m_model.snapping().dragStep(m_isSuspended), view);
   if (!move)
     return;
+  setCaught(move->caught); // first: whoever takes up the outcome tells it
   m_model.history().moveGesture(
       m_token, ChangeObject{m_drag->handle().object, fromStage(move->object, m_model.stage())});
   emit moved();
-  setCaught(move->caught);
 }
 
 void HandleHold::setCaught(const std::string &caught) {

@@ -38,7 +38,6 @@ void SceneView::joinParts() {
   connect(&m_hold, &HandleHold::pointed, &m_drawing, &SceneDrawing::requestMoving);
   connect(&m_hold, &HandleHold::modeChanged, this, &SceneView::tellHint);
   connect(&m_hold, &HandleHold::modeChanged, &m_drawing, &SceneDrawing::requestNew);
-  connect(&m_hold, &HandleHold::caughtChanged, this, &SceneView::tellHint);
   connect(&m_handles, &SceneHandles::changed, &m_drawing, &SceneDrawing::requestNew);
   connect(&m_handles, &SceneHandles::hintChanged, this, &SceneView::tellHint);
   connect(&m_edits, &HandleEdits::refused, this, &SceneView::hint);
