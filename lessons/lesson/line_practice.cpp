@@ -7,9 +7,12 @@ namespace {
 
 /// Whether some of the lines would ask for a number, if the learner chose so.
 bool asksForSome(const Working &working) {
-  return std::any_of(working.lines.begin(), working.lines.end(),
-                     [](const WorkingLine &line) { return line.asked != Asked::Nothing; }) ||
-         !fade(working, Fading::Gaps, {}).gaps.empty();
+  const auto isSome = [&](const auto &asks) {
+    return std::any_of(working.lines.begin(), working.lines.end(), asks);
+  };
+  return isSome([](const WorkingLine &line) { return line.asked != Asked::Nothing; }) ||
+         isSome(
+             [choice = GapChoice(working)](const WorkingLine &line) { return choice.of(line).has_value(); });
 }
 
 } // namespace
