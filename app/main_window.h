@@ -29,7 +29,8 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
-  explicit MainWindow(LessonLibrary library);
+  /// On a session; `file` is where Save writes it (null: Save asks).
+  MainWindow(LessonLibrary library, Session session, std::shared_ptr<const KnownFile> file = {});
   ~MainWindow() override;
 
   /// Shows the window, maximized where it would not fit the screen with its frame.

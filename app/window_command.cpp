@@ -61,11 +61,17 @@ QIcon programIcon() {
   return icon;
 }
 
+/// The file that Save writes; null for a name that cannot be told, and for a lesson: Save asks.
+std::shared_ptr<const KnownFile> fileOf(const OpenedSession &opened, const WindowCommand &command) {
+  const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt;
+  return path ? std::make_shared<KnownFile>(KnownFile{*path, *opened.text, opened.session.lesson}) : nullptr;
+}
+
 /// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
 int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
                const WindowCommand &command, Application &application) {
-  MainWindow window(std::move(library));
+  MainWindow window(std::move(library), opened.session, fileOf(opened, command));
   application.setLastDeed([&] { window.endWithoutQuestions(); });
   const Termination termination(
       [&](int signal) {
@@ -79,10 +85,6 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   // Not with the last window: a message that comes a moment later must not keep the program alone.
   QApplication::setQuitOnLastWindowClosed(false);
   QObject::connect(&window, &MainWindow::closed, &window, [] { QApplication::exit(); });
-  std::shared_ptr<const KnownFile> file; // null for a name that cannot be told: Save asks
-  if (const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt)
-    file = std::make_shared<KnownFile>(KnownFile{*path, *opened.text, opened.session.lesson});
-  window.files().startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
   QTimer::singleShot(0, &window, [&] {

@@ -1,5 +1,6 @@
 #include "widgets/session_model.h"
 
+#include "lessons/lesson/lesson_start.h"
 #include "lessons/lesson/nearest_step.h"
 #include "lessons/lesson/task_targets.h"
 
@@ -10,8 +11,6 @@ namespace halfspace {
 
 namespace {
 
-Session startOf(const Lesson &lesson) { return {lesson.id, 0, lesson.scene}; }
-
 /// Whether the scenes differ in the numbers of their objects alone.
 bool haveSameEntries(const Scene &a, const Scene &b) {
   return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), areBuiltAlike);
@@ -19,8 +18,7 @@ bool haveSameEntries(const Scene &a, const Scene &b) {
 
 } // namespace
 
-SessionModel::SessionModel(LessonLibrary library, QObject *parent)
-    : QObject(parent), m_library(std::move(library)) {
+SessionModel::SessionModel(LessonLibrary library, Session first) : m_library(std::move(library)) {
   connect(&m_history, &SessionHistory::sceneChanged, this, [this](const Session &before, bool replaced) {
     showSince(before);
     if (replaced)
@@ -30,8 +28,11 @@ SessionModel::SessionModel(LessonLibrary library, QObject *parent)
     if (m_scene.takeStage(session().scene))
       emit outcomeChanged();
   });
-  startWith(startOf(m_library.lessons.front()));
+  startWith(std::move(first));
 }
+
+SessionModel::SessionModel(const LessonLibrary &library)
+    : SessionModel(library, startOf(library.lessons.front())) {}
 
 void SessionModel::startWith(Session session) {
   m_history.dropGesture();

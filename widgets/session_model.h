@@ -30,8 +30,10 @@ class SessionModel : public QObject {
   Q_OBJECT
 
 public:
-  /// Requires at least one lesson.
-  explicit SessionModel(LessonLibrary library, QObject *parent = nullptr);
+  /// Begins with a session; see startWith.
+  SessionModel(LessonLibrary library, Session first);
+  /// Begins with the first lesson. Requires at least one.
+  explicit SessionModel(const LessonLibrary &library);
 
   [[nodiscard]] const LessonLibrary &library() const { return m_library; }
   [[nodiscard]] const Session &session() const { return m_history.session(); }

@@ -76,6 +76,7 @@ void CameraActions::addCourses() {
 void CameraActions::addOrthographic() {
   QAction *orthographic = add(tr("&Orthographic"), "O");
   orthographic->setCheckable(true);
+  orthographic->setChecked(m_viewpoint.camera().orthographic);
   connect(orthographic, &QAction::triggered, &m_viewpoint, &Viewpoint::setOrthographic);
   connect(&m_viewpoint, &Viewpoint::orthographicChanged, orthographic, &QAction::setChecked);
 }

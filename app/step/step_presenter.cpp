@@ -31,6 +31,7 @@ StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerP
 
 void StepPresenter::showAll() {
   m_page.showLesson();
+  showStep();
   showOutcome();
 }
 

@@ -32,6 +32,7 @@ Autosave::Autosave(SessionModel &model, SessionFiles &files, const UnfinishedInp
   connect(&model, &SessionModel::outcomeChanged, this, &Autosave::keepSoon); // under the hand, too
   connect(&files, &SessionFiles::changed, this, &Autosave::keepSoon);
   connect(&input, &UnfinishedInput::typing, this, &Autosave::prepare);
+  keepSoon(); // that nothing can be kept is to be said before much is done
 }
 
 bool Autosave::hasLeftSessions() const {

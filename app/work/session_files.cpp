@@ -44,8 +44,9 @@ bool mayReplace(const KnownFile &file, const std::string &text) {
 
 } // namespace
 
-SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages)
-    : m_model(model), m_input(input), m_messages(messages) {}
+SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages,
+                           std::shared_ptr<const KnownFile> file)
+    : m_model(model), m_input(input), m_messages(messages), m_file(std::move(file)) {}
 
 void SessionFiles::startWith(const Session &session, std::shared_ptr<const KnownFile> file) {
   m_file = std::move(file);

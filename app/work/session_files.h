@@ -17,8 +17,10 @@ class UnfinishedInput;
 class SessionFiles : public QObject {
   Q_OBJECT
 public:
-  /// Model and input must outlive it.
-  SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages);
+  /// `file` is where Save writes the session that the model begins with (null: Save asks). Model and input
+  /// must outlive it.
+  SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages,
+               std::shared_ptr<const KnownFile> file);
 
   /// Starts with a session; `file` is where Save writes it (null: Save asks).
   void startWith(const Session &session, std::shared_ptr<const KnownFile> file = {});

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 #include "app/work/progress_file.h"
 #include "app/work/recovery.h"
+#include "lessons/lesson/lesson_start.h"
 #include "tests/widgets/handle_position.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/numbers/number_card.h"
@@ -33,10 +34,9 @@ inline void forgetStarts() {
 class WindowFixture {
 public:
   explicit WindowFixture(const std::string &lesson, LessonLibrary library = readLessons(TEST_LESSONS_FOLDER))
-      : window(std::move(library)) {
+      : WindowFixture(startOf(*library.find(lesson)), std::move(library)) {}
+  WindowFixture(Session session, LessonLibrary &&library) : window(std::move(library), std::move(session)) {
     window.sceneView().setMotion(false);
-    window.model().openLesson(lesson);
-    window.model().startWith(window.model().session());
     window.show();
     ready = QTest::qWaitForWindowExposed(&window) && QTest::qWaitFor([&] { return scene().isValid(); });
     scene().setFocus();

@@ -64,6 +64,23 @@ private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
   void init() { forgetStarts(); }
 
+  void begunOnASession_showsItsStepAndItsView() {
+    LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
+    Session asked = startOf(*library.find("signed-distance"));
+    asked.step = 2;
+    asked.view = ChosenView{{{1, 0, 0.5}, {6, 8, 4}, 12}, true};
+    WindowFixture fixture(asked, std::move(library));
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.model().session() == asked);
+    QVERIFY(!fixture.window.isWindowModified());
+    QVERIFY(fixture.scene().viewpoint().camera().orthographic);
+    QVERIFY(fixture.action(QKeySequence("O"))->isChecked());
+    const QString title = QString::fromStdString(fixture.model().step().title);
+    const auto labels = fixture.window.findChildren<QLabel *>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(),
+                        [&](const QLabel *label) { return label->isVisible() && label->text() == title; }));
+  }
+
   void number_typed_isTakenExactlyAsOneUndoStep_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("exact");

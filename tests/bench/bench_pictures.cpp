@@ -1,7 +1,7 @@
 // Pictures for files: those of one lesson with other and other numbers, evaluated, drawn and written by a
 // painter that lives for all of them, and by bare VTK, in turns. What is opened first (context, window,
 // shaders) counts. Takes the number of pictures.
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/lesson_start.h"
 #include "lessons/scene/file/session_file.h"
 #include "tests/bench/durations.h"
 #include "tests/bench/figure_to_bare.h"
@@ -111,7 +111,7 @@ int measure(int pictures) {
     auto start = Clock::now();
     if (!painter)
       painter.emplace(set, paint);
-    const auto session = withValue({lesson.id, 0, lesson.scene}, assignmentOf(i));
+    const auto session = withValue(startOf(lesson), assignmentOf(i));
     PictureRequest request;
     const auto [content, camera] = takenOf(lesson, session->scene);
     request.content = content;

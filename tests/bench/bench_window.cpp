@@ -27,8 +27,7 @@ int main(int argc, char **argv) {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   const QApplication application(argc, argv);
-  MainWindow window(std::move(library));
-  window.files().startWith(session);
+  MainWindow window(std::move(library), session);
   bench::reportFirstFrame(window.sceneView(), argv[1]);
   window.show();
   return QApplication::exec();

@@ -58,6 +58,26 @@ private slots:
     QVERIFY2(steps > 1000, qPrintable(QString::number(steps)));
   }
 
+  void begunOnASession_isAtItsStepAndScene_withNothingToUndo() {
+    const LessonLibrary lessons = library();
+    Session asked{"signed-distance", 2, lessons.find("signed-distance")->scene};
+    setObject(asked.scene, "Q", PointObject{{1, 2, 3}});
+    const SessionModel model(lessons, asked);
+    QVERIFY(model.session() == asked);
+    QCOMPARE(model.step().title, lessons.find("signed-distance")->steps[2].title);
+    QVERIFY(figureOf(model.evaluation()).marks == figureOf(evaluate(asked.scene)).marks);
+    QVERIFY(model.isChanged());
+    QVERIFY(!model.history().undoText());
+    QVERIFY(model.history().isClean());
+  }
+
+  void begunOnASession_withAStepThatIsNot_isAtTheNearest() {
+    const LessonLibrary lessons = library();
+    const Lesson &lesson = *lessons.find("signed-distance");
+    const SessionModel model(lessons, {lesson.id, 999, lesson.scene});
+    QCOMPARE(model.session().step, static_cast<int>(lesson.steps.size()) - 1);
+  }
+
   void lessonRenewed_withOtherWordsOrNumbers_keepsStepAndChangedScene() {
     SessionModel model(library());
     model.openLesson("signed-distance");

@@ -15,6 +15,7 @@ SceneView::SceneView(SessionModel &model, const Typesetter &typesetter, QWidget 
   setAccessibleName(tr("3D scene"));
   followModel();
   joinParts();
+  takeLesson();
   takeOutcome();
 }
 

@@ -62,10 +62,21 @@ private slots:
     QVERIFY(areNear(fixture.view.viewpoint().camera().height, close.view.height));
   }
 
+  void sessionThatTheViewBeginsWith_isLookedAtAsItsViewSays() {
+    const ChosenView close{{{1, 0, 0.5}, {-30, -30, 0}, 3}, true};
+    ViewFixture fixture(libraryOf({distanceScene(), Scene{{pointQ()}}}),
+                        {"lesson1", 0, Scene{{pointQ()}}, close});
+    QVERIFY(fixture.ready);
+    const Camera &camera = fixture.view.viewpoint().camera();
+    QVERIFY(camera.target == close.view.at);
+    QVERIFY(areNear(camera.height, close.view.height));
+    QVERIFY(camera.orthographic);
+  }
+
   void shadows_areThoseOfTheOpenLesson() {
     LessonLibrary library = libraryOf({distanceScene(), distanceScene()});
     library.lessons.back().hasShadows = false;
-    ViewFixture fixture(std::move(library));
+    ViewFixture fixture(library);
     QVERIFY(fixture.ready);
     QVERIFY(fixture.view.drawn().pictureContent().hasShadows);
     fixture.model.startWith({"lesson1", 0, distanceScene()});

@@ -1,6 +1,7 @@
 // The 3D view alone in a window, drawn and ready for real mouse and key events.
 #pragma once
 
+#include "lessons/lesson/lesson_start.h"
 #include "tests/lessons/scenes.h"
 #include "tests/widgets/handle_position.h"
 #include "tests/widgets/libraries.h"
@@ -17,7 +18,10 @@ class ViewFixture {
 public:
   explicit ViewFixture(const Scene &scene = distanceScene())
       : ViewFixture(libraryOf({scene, Scene{{pointQ()}}})) {}
-  explicit ViewFixture(LessonLibrary library) : model(std::move(library)), view(model, m_typesetter) {
+  explicit ViewFixture(const LessonLibrary &library)
+      : ViewFixture(library, startOf(library.lessons.front())) {}
+  ViewFixture(LessonLibrary library, Session session)
+      : model(std::move(library), std::move(session)), view(model, m_typesetter) {
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(&view);
     layout->addWidget(&other);
