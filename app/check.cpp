@@ -1,9 +1,9 @@
 #include "app/check.h"
 
 #include "lessons/guess.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/name_check.h"
 #include "lessons/lesson/words_check.h"
-#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/formula/read_latex.h"
@@ -59,25 +59,24 @@ void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::stri
 
 void addIfNotShown(const std::string &picture, const LessonWords &piece, const Lesson &lesson,
                    const LessonPictures &ofPage, std::vector<Problem> &problems) {
+  const std::string &written = piece.text.written();
   if (const auto image = readPicture(ofPage, picture); !image)
     problems.push_back({image.problem().sentence, lesson.file,
-                        piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
+                        piece.lineAt(std::min(written.find(picture), written.size())), piece.field});
 }
 
 /// What in a piece of words would not be seen as it is meant: formulas that cannot be read, each with its
 /// line and the column within it, and pictures.
 void addUnreadable(const LessonWords &piece, const Lesson &lesson, const LessonPictures &ofPage,
                    std::vector<Problem> &problems) {
-  const auto markdown = readMarkdown(piece.text);
-  if (!markdown)
-    return; // such a lesson is not read
-  for (const MarkdownFormula &formula : markdown->formulas)
+  const Markdown &markdown = piece.text.markdown();
+  for (const MarkdownFormula &formula : markdown.formulas)
     for (const MarkdownFormula::Side &side : formula.sides)
       if (!side.isLive)
         addIfUnreadable(side, piece, lesson, problems);
   std::vector<std::string> pictures;
   if (showsPictures(piece))
-    addPictures(markdown->blocks, pictures);
+    addPictures(markdown.blocks, pictures);
   for (const std::string &picture : pictures)
     addIfNotShown(picture, piece, lesson, ofPage, problems);
 }

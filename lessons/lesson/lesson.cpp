@@ -3,14 +3,15 @@
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson_fields.h"
 #include "lessons/lesson/lesson_markup.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/macro_work.h"
 #include "lessons/reading/document.h"
-#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -47,36 +48,49 @@ Result<Fence> readFence(LineScanner &lines, const std::string &file) {
       file, openedAt, ""};
 }
 
-/// The words that a step goes on with.
-StepWords &wordsAtEnd(LessonStep &step) {
-  if (step.blocks.empty() || !std::holds_alternative<StepWords>(step.blocks.back()))
-    step.blocks.emplace_back(StepWords());
-  return std::get<StepWords>(step.blocks.back());
-}
+/// Words that are read line by line.
+struct GatheredWords {
+  std::string text;
+  std::vector<int> lines; ///< where each of its lines stands in the file
+};
 
-void addLine(StepWords &words, std::string_view line, int number) {
-  words.markdown += std::string(line) + "\n";
+/// A step that is read from top to bottom.
+struct OpenStep {
+  LessonStep step;
+  GatheredWords words; ///< behind its last block
+};
+
+void addLine(GatheredWords &words, std::string_view line, int number) {
+  words.text += std::string(line) + "\n";
   words.lines.push_back(number);
 }
 
-void addLines(StepWords &words, const TextBlock &block) {
+void addLines(GatheredWords &words, const TextBlock &block) {
   LineScanner lines(block.text, block.firstLine);
   while (lines.next())
     addLine(words, lines.line(), lines.number());
 }
 
-/// Takes away empty lines before and behind the words, and what is empty at their ends.
-void trimEnds(StepWords &words) {
-  std::string &markdown = words.markdown;
-  const auto begin = std::min(markdown.find_first_not_of(" \t\n"), markdown.size());
-  const auto end = markdown.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
+/// Without empty lines before and behind the words, and what is empty at their ends.
+StepWords trimmedWords(GatheredWords words) {
+  std::string &text = words.text;
+  const auto begin = std::min(text.find_first_not_of(" \t\n"), text.size());
+  const auto end = text.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
   const auto linesBefore = [&](std::size_t place) {
-    return std::count(markdown.begin(), markdown.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+    return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
   };
   words.lines.erase(words.lines.begin(), words.lines.begin() + linesBefore(begin));
-  markdown = begin < end ? markdown.substr(begin, end - begin) : "";
-  if (!markdown.empty())
-    words.lines.resize(static_cast<std::size_t>(linesBefore(markdown.size())) + 1);
+  text = begin < end ? text.substr(begin, end - begin) : "";
+  if (!text.empty())
+    words.lines.resize(static_cast<std::size_t>(linesBefore(text.size())) + 1);
+  return {std::move(text), std::move(words.lines)};
+}
+
+/// Puts the words, if there are any, where they stand in the step.
+void closeWords(OpenStep &open) {
+  StepWords words = trimmedWords(std::exchange(open.words, {}));
+  if (!words.text.isEmpty())
+    open.step.blocks.emplace_back(std::move(words));
 }
 
 Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
@@ -85,40 +99,46 @@ Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
   while (note.title.empty() && lines.next()) {
     note.title = printable(trimmed(lines.line()));
   }
-  addLines(note.words, {std::string(lines.rest()), lines.number() + 1});
-  trimEnds(note.words);
-  if (note.words.markdown.empty())
+  GatheredWords below;
+  addLines(below, {std::string(lines.rest()), lines.number() + 1});
+  note.words = trimmedWords(std::move(below));
+  if (note.words.text.isEmpty())
     return Problem{words("A note needs a title in its first line, and words below it."), file,
                    block.firstLine - 1, "note"};
   return note;
 }
 
 /// Puts what a block holds into its step; or why it cannot be read.
-using BlockReader = std::optional<Problem> (*)(const TextBlock &, const std::string &file, LessonStep &);
+using BlockReader = std::optional<Problem> (*)(const TextBlock &, const std::string &file, OpenStep &);
 
 /// Of what stands on the page, by what reads it.
 template <auto read>
-std::optional<Problem> addBlock(const TextBlock &block, const std::string &file, LessonStep &step) {
+std::optional<Problem> addBlock(const TextBlock &block, const std::string &file, OpenStep &open) {
   auto made = read(block, file);
   if (!made)
     return made.problem();
-  step.blocks.emplace_back(std::move(*made));
+  closeWords(open);
+  open.step.blocks.emplace_back(std::move(*made));
   return {};
 }
 
-std::optional<Problem> addQuestion(const TextBlock &block, const std::string &file, LessonStep &step) {
-  if (predictionOf(step))
+std::optional<Problem> addQuestion(const TextBlock &block, const std::string &file, OpenStep &open) {
+  if (predictionOf(open.step))
     return Problem{words("A step asks one question. Move the second into a step of its own."), file,
                    block.firstLine - 1, "predict"};
-  return addBlock<readPrediction>(block, file, step);
+  return addBlock<readPrediction>(block, file, open);
 }
 
-std::optional<Problem> readBlank(const TextBlock &block, const std::string &file, LessonStep &step) {
+std::optional<Problem> readBlank(const TextBlock &block, const std::string &file, OpenStep &open) {
   const auto fading = readFading(block, file);
   if (!fading)
     return fading.problem();
-  step.blank = *fading;
+  open.step.blank = *fading;
   return {};
+}
+
+std::optional<Problem> readDrawn(const TextBlock &block, const std::string &file, OpenStep &open) {
+  return readMarkIds(block, file, open.step);
 }
 
 /// A sort of blocks that are no code, by the word behind their fence.
@@ -135,14 +155,14 @@ constexpr std::array instructions{Instruction{"lines", &addBlock<readLines>},
                                   Instruction{"fragments", &addBlock<readFragments>},
                                   Instruction{"cost", &addBlock<readCost>},
                                   Instruction{"blank", &readBlank},
-                                  Instruction{"draw", &readMarkIds}};
+                                  Instruction{"draw", &readDrawn}};
 
 /// Puts a fenced block where it belongs in the step.
-std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std::string &file) {
+std::optional<Problem> addFence(const Fence &fence, OpenStep &open, const std::string &file) {
   for (const Instruction &instruction : instructions)
     if (instruction.word == fence.word)
-      return instruction.read(fence.content, file, step);
-  addLines(wordsAtEnd(step), {fence.whole, fence.content.firstLine - 1}); // code
+      return instruction.read(fence.content, file, open);
+  addLines(open.words, {fence.whole, fence.content.firstLine - 1}); // code
   return {};
 }
 
@@ -167,11 +187,6 @@ Result<LessonParts> splitFrontMatter(std::string_view text, const std::string &f
                  file, 1, ""};
 }
 
-bool isEmptyWords(const StepBlock &block) {
-  const auto *words = std::get_if<StepWords>(&block);
-  return words && words->markdown.empty();
-}
-
 /// Why words above the first step cannot stand there.
 std::string whyAboveAll(std::string_view line) {
   const std::string sentence = whyNoStep(line);
@@ -187,12 +202,10 @@ void addAllLines(LessonStep &step) {
   step.blocks.insert(step.blocks.begin() + (hasWords ? 1 : 0), StepLines());
 }
 
-void finish(LessonStep &step) {
-  for (StepBlock &block : step.blocks)
-    if (auto *words = std::get_if<StepWords>(&block))
-      trimEnds(*words);
-  std::erase_if(step.blocks, isEmptyWords);
-  addAllLines(step);
+LessonStep finished(OpenStep open) {
+  closeWords(open);
+  addAllLines(open.step);
+  return std::move(open.step);
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -213,15 +226,14 @@ std::size_t bytesFromMacros(const Markdown &markdown, const Macros &macros) {
   return bytes;
 }
 
-/// What keeps a lesson's words from being read as Markdown, or makes them too much to be set, if anything
-/// does.
+/// What has kept a lesson's words from being read as Markdown, or makes them too much to be set, if anything
+/// has.
 std::optional<Problem> problemOfWords(const Lesson &lesson) {
   std::size_t fromMacros = 0;
   for (const LessonWords &piece : wordsOf(lesson)) {
-    const auto markdown = readMarkdown(piece.text);
-    if (!markdown)
-      return Problem{markdown.problem().sentence, lesson.file, piece.lineAt(0), piece.field};
-    fromMacros += bytesFromMacros(*markdown, lesson.macros);
+    if (const auto &problem = piece.text.problem())
+      return Problem{problem->sentence, lesson.file, piece.lineAt(0), piece.field};
+    fromMacros += bytesFromMacros(piece.text.markdown(), lesson.macros);
     if (fromMacros > mostBytesFromMacros)
       return Problem{
           words("Up to here the lesson's macros stand for more than {limit} KiB of LaTeX: that is too "
@@ -234,12 +246,12 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
 
 /// Reads all that follows the front matter.
 Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file) {
-  std::vector<LessonStep> steps;
+  std::vector<OpenStep> steps;
   LineScanner lines(block.text, block.firstLine);
   while (lines.next()) {
     const auto title = stepTitle(lines.line());
     if (title) {
-      steps.emplace_back().title = *title;
+      steps.emplace_back().step.title = *title;
       continue;
     }
     if (steps.empty()) {
@@ -248,7 +260,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
       continue;
     }
     if (fenceOf(lines.line()).empty()) {
-      addLine(wordsAtEnd(steps.back()), lines.line(), lines.number());
+      addLine(steps.back().words, lines.line(), lines.number());
       continue;
     }
     const auto fence = readFence(lines, file);
@@ -260,9 +272,11 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
   if (steps.empty())
     return Problem{words("The lesson has no steps. Each begins with a heading ##."), file, lines.number(),
                    ""};
-  for (LessonStep &step : steps)
-    finish(step);
-  return steps;
+  std::vector<LessonStep> read;
+  read.reserve(steps.size());
+  for (OpenStep &step : steps)
+    read.push_back(finished(std::move(step)));
+  return read;
 }
 
 } // namespace
@@ -302,52 +316,6 @@ Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
 Result<Lesson> readLesson(const std::filesystem::path &file) {
   const auto text = readFile(file, maxLessonBytes);
   return text ? parseLesson(*text, file.string()) : Result<Lesson>(text.problem());
-}
-
-int LessonWords::lineAt(std::size_t place) const {
-  const auto passed = std::ranges::lower_bound(lineEnds, place) - lineEnds.begin();
-  return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
-}
-
-LessonWords::LessonWords(std::string words, std::vector<int> linesOfWords, std::string fieldOfWords)
-    : text(std::move(words)), lines(std::move(linesOfWords)), field(std::move(fieldOfWords)) {
-  for (auto end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1))
-    lineEnds.push_back(end);
-}
-
-std::vector<LessonWords> wordsOf(const LessonStep &step) {
-  std::vector<LessonWords> words;
-  const Overloaded add{
-      [&](const StepWords &block) { words.emplace_back(block.markdown, block.lines, ""); },
-      [](const StepLines &) {},
-      [](const StepFlight &) {},
-      [](const StepFragments &) {},
-      [](const StepCost &) {},
-      [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
-      [&](const Task &task) {
-        words.emplace_back(task.instruction, std::vector{task.line}, "do");
-        if (!task.now.empty())
-          words.emplace_back(task.now, std::vector{task.nowLine}, "now");
-        if (!task.answer.empty())
-          words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
-      },
-      [&](const Prediction &prediction) {
-        words.emplace_back(prediction.question, std::vector{prediction.questionLine}, "ask");
-        for (const Prediction::Choice &choice : prediction.choices)
-          words.emplace_back(choice.text, std::vector{choice.line}, "choices");
-        words.emplace_back(prediction.reason, std::vector{prediction.reasonLine}, "why");
-      }};
-  for (const StepBlock &block : step.blocks)
-    std::visit(add, block);
-  return words;
-}
-
-std::vector<LessonWords> wordsOf(const Lesson &lesson) {
-  std::vector<LessonWords> words;
-  for (const LessonStep &step : lesson.steps)
-    for (LessonWords &piece : wordsOf(step))
-      words.push_back(std::move(piece));
-  return words;
 }
 
 namespace {

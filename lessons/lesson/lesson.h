@@ -54,6 +54,7 @@
 #include "lessons/construction/condition.h"
 #include "lessons/lesson/macros.h"
 #include "lessons/lesson/practice.h"
+#include "lessons/reading/markdown_text.h"
 #include "lessons/result.h"
 #include "lessons/scene/camera_view.h"
 #include "lessons/scene/evaluation.h"
@@ -65,10 +66,10 @@ namespace halfspace {
 
 /// Something to bring about in the scene; it is done once all conditions hold.
 struct Task {
-  std::string instruction;
+  MarkdownText instruction;
   Conditions conditions; ///< of values as findValue finds them; `when:` lines join them with `and`
-  std::string now{};     ///< how far the learner is, told until the task is done; may be empty
-  std::string answer{};  ///< to what the instruction asks, told once it is done; empty where it asks nothing
+  MarkdownText now{};    ///< how far the learner is, told until the task is done; may be empty
+  MarkdownText answer{}; ///< to what the instruction asks, told once it is done; empty where it asks nothing
   // In the file:
   int line = 0; ///< of the instruction
   int conditionsLine = 0;
@@ -83,13 +84,13 @@ inline constexpr const char *otherwise = "otherwise";
 struct Prediction {
   struct Choice {
     std::string word; ///< what the value must be for this choice to be right, or `otherwise`
-    std::string text;
+    MarkdownText text;
     int line = 0; ///< in the file
   };
-  std::string question;
+  MarkdownText question;
   std::string value; ///< the name of the value that decides, see findValue
   std::vector<Choice> choices;
-  std::string reason;
+  MarkdownText reason;
   // In the file:
   int questionLine = 0;
   int valueLine = 0;
@@ -98,7 +99,7 @@ struct Prediction {
 
 /// Markdown with LaTeX and live values.
 struct StepWords {
-  std::string markdown;
+  MarkdownText text;
   std::vector<int> lines{}; ///< where each of its lines stands in the file
 };
 
@@ -194,23 +195,6 @@ struct Lesson {
   std::optional<FlatPage> flat{}; ///< nothing: there is only the picture in space
   std::vector<LessonStep> steps;
 };
-
-/// A piece of a lesson's words, with `$…$` LaTeX.
-struct LessonWords {
-  LessonWords(std::string words, std::vector<int> linesOfWords, std::string fieldOfWords);
-
-  std::string text;
-  std::vector<int> lines; ///< where its lines stand in the file; one for all where YAML has folded them
-  std::string field;      ///< of a block; empty for the words of a step
-  std::vector<std::size_t> lineEnds; ///< places in the text
-
-  /// The line of the file that a place in the text is of.
-  [[nodiscard]] int lineAt(std::size_t place) const;
-};
-
-/// All words that are set with their formulas, from top to bottom within a step.
-[[nodiscard]] std::vector<LessonWords> wordsOf(const LessonStep &step);
-[[nodiscard]] std::vector<LessonWords> wordsOf(const Lesson &lesson);
 
 /// The words behind the fences of blocks that are no code: `lines`, `task`.
 [[nodiscard]] const std::vector<std::string> &instructionBlocks();

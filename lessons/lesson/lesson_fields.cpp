@@ -226,7 +226,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   task.conditions = std::move(*conditions);
   task.line = root->find("do")->line;
   task.conditionsLine = root->find("when")->line;
-  const auto takeIfThere = [&](const char *key, std::string &text, int &line) {
+  const auto takeIfThere = [&](const char *key, MarkdownText &text, int &line) {
     if (const DocumentNode *field = fields.optional(key)) {
       text = fields.text(key);
       line = field->line;

@@ -3,9 +3,9 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson_markup.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
-#include "lessons/reading/markdown_formulas.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -136,7 +136,7 @@ public:
         complain(whyNoMark(step.drawn[i]), step.drawnLines[i], "draw");
     }
     for (const LessonWords &piece : wordsOf(m_lesson))
-      for (const MarkdownFormula &formula : takeFormulas(piece.text).formulas)
+      for (const MarkdownFormula &formula : piece.text.markdown().formulas)
         for (const MarkdownFormula::Side &side : formula.sides)
           if (side.isLive)
             complain(isOfQuestion(piece.field) ? noLiveInQuestion(side.text) : whyNotLive(side.text),

@@ -2,6 +2,7 @@
 
 #include "lessons/guess.h"
 #include "lessons/lesson/lesson_markup.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/reading/markdown_formulas.h"
 #include "lessons/reading/yaml_hint.h"
 #include "lessons/text.h"
@@ -17,7 +18,7 @@ namespace {
 class LinesCheck {
 public:
   LinesCheck(const StepWords &block, const std::string &file, std::vector<Problem> &problems)
-      : m_block(block), m_file(file), m_problems(problems), m_lines(block.markdown, 0) {}
+      : m_block(block), m_file(file), m_problems(problems), m_lines(block.text.written(), 0) {}
 
   void lookThroughStep() {
     while (m_lines.next())
@@ -60,9 +61,10 @@ private:
 
 /// One of each paragraph: where one is missing, two may be without a partner.
 void addLoneDollars(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
+  const std::string &text = piece.text.written();
   std::optional<std::size_t> before;
-  for (const std::size_t place : takeFormulas(piece.text).loneDollars) {
-    if (!before || piece.text.substr(*before, place - *before).find("\n\n") != std::string::npos)
+  for (const std::size_t place : takeFormulas(text).loneDollars) {
+    if (!before || text.substr(*before, place - *before).find("\n\n") != std::string::npos)
       problems.push_back(
           {words("This $ has no partner in its paragraph. End the formula with another, without "
                  "a space before it, or write \\$ for a dollar."),
@@ -83,9 +85,10 @@ const std::regex &leftoversOfLatex() {
 void addIfEscaped(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
   if (piece.field.empty() || piece.field == "note") // Markdown
     return;
+  const std::string &text = piece.text.written();
   std::smatch leftover;
-  std::size_t place = firstNoText(piece.text).value_or(std::string::npos);
-  if (std::regex_search(piece.text, leftover, leftoversOfLatex()))
+  std::size_t place = firstNoText(text).value_or(std::string::npos);
+  if (std::regex_search(text, leftover, leftoversOfLatex()))
     place = std::min(place, static_cast<std::size_t>(leftover.position()));
   if (place != std::string::npos)
     problems.push_back({singleQuotesHint(), file, piece.lineAt(place), piece.field});

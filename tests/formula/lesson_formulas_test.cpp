@@ -1,5 +1,5 @@
 // Every formula in the words of our lessons: read, laid out with all its glyphs, and broken into lines.
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/lesson_words.h"
 #include "tests/formula/laid_out.h"
 #include "widgets/formula/break_lines.h"
 
@@ -24,17 +24,19 @@ std::vector<LessonFormula> formulas() {
   std::vector<LessonFormula> found;
   for (const Lesson &lesson : library().lessons) {
     std::set<std::string> known;
-    for (const LessonWords &words : wordsOf(lesson))
-      for (std::size_t open = words.text.find('$'); open != std::string::npos;) {
-        const std::size_t close = words.text.find('$', open + 1);
+    for (const LessonWords &words : wordsOf(lesson)) {
+      const std::string &text = words.text.written();
+      for (std::size_t open = text.find('$'); open != std::string::npos;) {
+        const std::size_t close = text.find('$', open + 1);
         if (close == std::string::npos)
           break;
-        const std::string latex = words.text.substr(open + 1, close - open - 1);
+        const std::string latex = text.substr(open + 1, close - open - 1);
         if (!latex.empty() && known.insert(latex).second)
           found.push_back(
               {latex, lesson.file + ":" + std::to_string(words.lineAt(open)) + " " + latex, &lesson.macros});
-        open = words.text.find('$', close + 1);
+        open = text.find('$', close + 1);
       }
+    }
   }
   return found;
 }

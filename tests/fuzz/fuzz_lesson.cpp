@@ -1,6 +1,6 @@
 // Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
 #include "lessons/lesson/filled_markdown.h"
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/prose.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/session.h"
@@ -21,12 +21,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::abort();
   const Evaluation outcome = evaluate(lesson->scene);
   for (const LessonWords &words : wordsOf(*lesson)) {
-    const FilledMarkdown filled = filledIn(*readMarkdown(words.text), [&](const std::string &name) {
+    const FilledMarkdown filled = filledIn(words.text.markdown(), [&](const std::string &name) {
       return liveValue(name, lesson->scene, outcome);
     });
     for (const FilledFormula &formula : filled.formulas)
       (void)plainText(formula, lesson->macros);
-    (void)plainProse(words.text, lesson->macros);
+    (void)plainProse(words.text.written(), lesson->macros);
   }
   for (const LessonStep &step : lesson->steps) {
     if (predictionOf(step))

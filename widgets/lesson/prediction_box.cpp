@@ -41,12 +41,12 @@ MarkdownSpan spanOf(const QString &words, bool strong) {
 
 } // namespace
 
-ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent)
+ChoiceButton::ChoiceButton(const Typesetter &typesetter, const MarkdownText &words, QWidget *parent)
     : QAbstractButton(parent), m_label(new RichLabel(typesetter)), m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(choiceMargins);
   layout->addWidget(m_label);
-  m_label->setMarkdown(words);
+  m_label->setWords(withNames(words.markdown()));
   m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
   setAccessibleName(m_label->plain());
   setFocusPolicy(Qt::StrongFocus);
@@ -111,16 +111,15 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
 }
 
 PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
-    : QWidget(parent), m_prediction(prediction), m_reasonWords(withNames(readWords(prediction.reason))),
-      m_question(new RichLabel(typesetter)), m_reason(new RichLabel(typesetter)), m_again(new QToolButton),
-      m_theme(themes().front()) {
+    : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
+      m_reason(new RichLabel(typesetter)), m_again(new QToolButton), m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(7);
-  m_question->setMarkdown(QString::fromStdString(prediction.question));
+  m_question->setWords(withNames(prediction.question.markdown()));
   layout->addWidget(m_question);
   for (const Prediction::Choice &choice : prediction.choices) {
-    auto *button = new ChoiceButton(typesetter, QString::fromStdString(choice.text));
+    auto *button = new ChoiceButton(typesetter, choice.text);
     connect(button, &QAbstractButton::clicked, this,
             [this, word = QString::fromStdString(choice.word)] { emit chosen(word); });
     m_buttons << button;
@@ -163,7 +162,7 @@ void PredictionBox::showReason(const GivenAnswer &answer) {
     before.push_back(spanOf(answer.chosen == answer.right ? tr("Right.") : tr("Not quite."), true));
   if (!answer.isOfNow)
     before.push_back(spanOf(tr("That was about the scene before it was changed."), false));
-  m_reason->setWords(withBefore(before, m_reasonWords));
+  m_reason->setWords(withBefore(before, withNames(m_prediction.reason.markdown())));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {

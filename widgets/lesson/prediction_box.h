@@ -15,7 +15,7 @@ namespace halfspace {
 class ChoiceButton : public QAbstractButton {
   Q_OBJECT
 public:
-  ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent = nullptr);
+  ChoiceButton(const Typesetter &typesetter, const MarkdownText &words, QWidget *parent = nullptr);
 
   /// `isOfNow`: it is about the scene as it is; else it is shown in grey.
   void setVerdict(Verdict verdict, bool isOfNow = true);
@@ -65,7 +65,6 @@ private:
   void showInk();
 
   Prediction m_prediction;
-  FilledMarkdown m_reasonWords;
   RichLabel *m_question;
   QList<ChoiceButton *> m_buttons;
   RichLabel *m_reason;

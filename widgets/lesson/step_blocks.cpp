@@ -43,8 +43,7 @@ QWidget *StepBlocks::blockOf(const StepNote &note) {
 }
 
 QWidget *StepBlocks::blockOf(const Task &task) {
-  m_tasks.push_back(
-      {readWords(task.instruction), readWords(task.now), readWords(task.answer), new TaskRow(m_typesetter)});
+  m_tasks.push_back({task.instruction, task.now, task.answer, new TaskRow(m_typesetter)});
   return m_tasks.back().row;
 }
 
@@ -62,7 +61,7 @@ QWidget *StepBlocks::blockOf(const Prediction &prediction) {
 }
 
 void StepBlocks::add(const StepWords &words, RichLabel &label) {
-  m_words.push_back({readWords(words.markdown), &label});
+  m_words.push_back({words.text, &label});
   label.setPictures(m_pictures);
 }
 
@@ -78,14 +77,14 @@ void StepBlocks::setWords() {
     return;
   for (const auto &[words, label] : m_words)
     if (wouldBeSeen(*label))
-      label->setWords(filledIn(words, m_valueOf));
+      label->setWords(filledIn(words.markdown(), m_valueOf));
   for (const auto &[instruction, now, answer, row] : m_tasks)
     if (wouldBeSeen(*row))
-      row->setWords(filledIn(instruction, m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
+      row->setWords(filledIn(instruction.markdown(), m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
 }
 
-Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const Markdown &words) const {
-  return Lazy<FilledMarkdown>([this, &words] { return filledIn(words, m_valueOf); });
+Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const MarkdownText &words) const {
+  return Lazy<FilledMarkdown>([this, words] { return filledIn(words.markdown(), m_valueOf); });
 }
 
 void StepBlocks::showEvent(QShowEvent *event) {

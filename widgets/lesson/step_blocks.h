@@ -54,18 +54,17 @@ private:
   void add(const StepWords &words, RichLabel &label);
   /// Of all that would be seen.
   void setWords();
-  /// Words of a task of this step.
-  [[nodiscard]] Lazy<FilledMarkdown> filledWhenSeen(const Markdown &words) const;
+  [[nodiscard]] Lazy<FilledMarkdown> filledWhenSeen(const MarkdownText &words) const;
 
-  /// Words as they were read, with the label that they are set in.
+  /// Words with the label that they are set in.
   struct SetWords {
-    Markdown words;
+    MarkdownText words;
     RichLabel *label;
   };
   struct SetTask {
-    Markdown instruction;
-    Markdown now;
-    Markdown answer;
+    MarkdownText instruction;
+    MarkdownText now;
+    MarkdownText answer;
     TaskRow *row;
   };
 

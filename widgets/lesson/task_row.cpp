@@ -47,7 +47,8 @@ TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_words(new RichLabel(typesetter)), m_remark(new RichLabel(typesetter)),
       m_now(noWords), m_answer(noWords),
       m_holdsAlready(withNames(
-          readWords(tr("It is so already. Change that, then bring it about again.").toStdString()))),
+          MarkdownText(tr("It is so already. Change that, then bring it about again.").toStdString())
+              .markdown())),
       m_theme(themes().front()) {
   speakBy<TaskRow, SpokenTask>();
   auto *layout = new QVBoxLayout(this);

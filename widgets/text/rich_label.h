@@ -20,8 +20,6 @@ public:
 
   /// Whether they are others than before.
   bool setWords(FilledMarkdown words);
-  /// The same of Markdown in which live values stand as they are written.
-  void setMarkdown(const QString &markdown) { setWords(withNames(readWords(markdown.toStdString()))); }
   /// The words in plain text, as a screen reader tells them.
   [[nodiscard]] QString plain() const { return m_text.plain(); }
   /// While it is held it becomes no less high, whatever its words are.

@@ -55,16 +55,6 @@ QString textWithDescriptions(const QTextDocument &document) {
 
 } // namespace
 
-Markdown readWords(const std::string &markdown) {
-  auto read = readMarkdown(markdown);
-  if (read)
-    return std::move(*read);
-  MarkdownBlock paragraph;
-  paragraph.spans.push_back(
-      {MarkdownSpan::Kind::Text, QString::fromStdString(markdown).simplified().toStdString()});
-  return {{paragraph}, {}};
-}
-
 RichText::RichText(FilledMarkdown words, const Typesetter &typesetter, RichTextStyle style)
     : m_typesetter(&typesetter), m_style(std::move(style)), m_words(std::move(words)) {
   makeDocument();

@@ -15,9 +15,6 @@
 
 namespace halfspace {
 
-/// Reads Markdown. What is too large for that stands as it is written.
-[[nodiscard]] Markdown readWords(const std::string &markdown);
-
 /// A text ready to be painted, and to be read out.
 class RichText {
   Q_DECLARE_TR_FUNCTIONS(RichText)
@@ -25,9 +22,6 @@ class RichText {
 public:
   /// The typesetter must outlive the text.
   RichText(FilledMarkdown words, const Typesetter &typesetter, RichTextStyle style);
-  /// The same of Markdown in which live values stand as they are written.
-  RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style)
-      : RichText(withNames(readWords(markdown.toStdString())), typesetter, std::move(style)) {}
   RichText(RichText &&) noexcept;
   RichText &operator=(RichText &&) noexcept;
   ~RichText();

@@ -1,5 +1,6 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/polygon.h"
@@ -286,7 +287,7 @@ const std::vector<Solution> &solutions() {
 
 const Solution *solutionOf(const Lesson &lesson, const Task &task) {
   for (const Solution &solution : solutions())
-    if (lesson.id == solution.lesson && task.instruction.starts_with(solution.instruction))
+    if (lesson.id == solution.lesson && task.instruction.written().starts_with(solution.instruction))
       return &solution;
   return nullptr;
 }
@@ -366,7 +367,7 @@ TEST(Content, AboveAQuestion_StandWordsWithoutTheValueThatDecides) {
           const auto *words = std::get_if<StepWords>(&block);
           ASSERT_TRUE(words) << lesson.id << ", " << step.title
                              << ": what follows from the answer goes below";
-          EXPECT_EQ(words->markdown.find(value), std::string::npos) << lesson.id << ", " << step.title;
+          EXPECT_EQ(words->text.written().find(value), std::string::npos) << lesson.id << ", " << step.title;
         }
       }
 }
@@ -384,7 +385,7 @@ std::vector<SolvedTask> solvedTasks(const Lesson &lesson) {
     for (const Task &task : tasksOf(step)) {
       const Solution *solution = solutionOf(lesson, task);
       if (!solution)
-        throw std::out_of_range("no solution for: " + task.instruction);
+        throw std::out_of_range("no solution for: " + task.instruction.written());
       all.push_back(
           {task, test::edited(lesson.scene, {ChangeObject{solution->entry.name,
                                                           std::get<Object>(solution->entry.content)}})});
@@ -396,7 +397,8 @@ TEST(Content, EveryTask_CanBeDone) {
   for (const Lesson &lesson : library().lessons) {
     const std::vector<SolvedTask> tasks = solvedTasks(lesson);
     for (const SolvedTask &each : tasks)
-      EXPECT_TRUE(isDone(each.task, evaluate(each.solved))) << lesson.id << ": " << each.task.instruction;
+      EXPECT_TRUE(isDone(each.task, evaluate(each.solved)))
+          << lesson.id << ": " << each.task.instruction.written();
     EXPECT_GE(tasks.size(), 2U) << lesson.id;
   }
 }
@@ -405,8 +407,8 @@ TEST(Content, WhatATaskAsks_IsAnsweredWhenItIsDone) {
   for (const Lesson &lesson : library().lessons)
     for (const LessonStep &step : lesson.steps)
       for (const Task &task : tasksOf(step))
-        EXPECT_EQ(task.instruction.find('?') != std::string::npos, !task.answer.empty())
-            << lesson.id << ": " << task.instruction;
+        EXPECT_EQ(task.instruction.written().find('?') != std::string::npos, !task.answer.isEmpty())
+            << lesson.id << ": " << task.instruction.written();
 }
 
 /// It is not done at the start, or no longer when the task before it is done.
@@ -416,7 +418,7 @@ TEST(Content, EveryTask_IsStillToDoWhenItsTurnComes) {
     const std::vector<SolvedTask> tasks = solvedTasks(lesson);
     for (const SolvedTask &each : tasks) {
       EXPECT_TRUE(!isDone(each.task, evaluate(lesson.scene)) || !isDone(each.task, evaluate(*before)))
-          << lesson.id << ": " << each.task.instruction;
+          << lesson.id << ": " << each.task.instruction.written();
       before = &each.solved;
     }
   }
@@ -425,18 +427,18 @@ TEST(Content, EveryTask_IsStillToDoWhenItsTurnComes) {
 /// Words between spaces, of all that is not folded away.
 std::size_t wordsOn(const LessonStep &step) {
   std::string text;
-  const Overloaded add{[&](const StepWords &words) { text += words.markdown + " "; },
+  const Overloaded add{[&](const StepWords &words) { text += words.text.written() + " "; },
                        [](const StepLines &) {},
                        [](const StepNote &) {},
                        [](const StepFlight &) {},
                        [](const StepFragments &) {},
                        [](const StepCost &) {},
-                       [&](const Task &task) { text += task.instruction + " "; },
+                       [&](const Task &task) { text += task.instruction.written() + " "; },
                        [&](const Prediction &prediction) {
-                         text += prediction.question + " ";
+                         text += prediction.question.written() + " ";
                          for (const Prediction::Choice &choice : prediction.choices)
-                           text += choice.text + " ";
-                         text += prediction.reason + " ";
+                           text += choice.text.written() + " ";
+                         text += prediction.reason.written() + " ";
                        }};
   for (const StepBlock &block : step.blocks)
     std::visit(add, block);
@@ -469,7 +471,7 @@ TEST(Content, SecondPointOfASphere_IsNamedOnlyWhereItIs) {
       EXPECT_EQ(baseOf(mark).label.find("H_2"), std::string::npos) << height;
   }
   for (const LessonWords &words : wordsOf(lesson))
-    EXPECT_EQ(words.text.find("H_2"), std::string::npos) << words.text;
+    EXPECT_EQ(words.text.written().find("H_2"), std::string::npos) << words.text.written();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/filled_markdown.h"
+#include "lessons/reading/markdown_text.h"
 
 #include <string>
 
@@ -28,11 +29,10 @@ inline std::string textOf(const FilledMarkdown &filled) {
   return text;
 }
 
-inline std::string filledText(const std::string &markdown, const Scene &scene, const Evaluation &evaluation,
+inline std::string filledText(const MarkdownText &text, const Scene &scene, const Evaluation &evaluation,
                               LiveValues values = LiveValues::Shown) {
-  return textOf(filledIn(*readMarkdown(markdown), [&](const std::string &name) {
-    return liveValue(name, scene, evaluation, values);
-  }));
+  return textOf(filledIn(
+      text.markdown(), [&](const std::string &name) { return liveValue(name, scene, evaluation, values); }));
 }
 
 } // namespace halfspace::test

@@ -1,5 +1,5 @@
 // What a learner is to find in a blank stands nowhere else on the page or in the figure.
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
@@ -53,7 +53,7 @@ private:
     for (const LessonWords &words : wordsOf(m_step)) {
       const std::string filled = test::filledText(words.text, m_scene, m_evaluation, LiveValues::Hidden);
       // What the author has written is no live value: the 0 of “it is 0 in the plane”.
-      EXPECT_TRUE(tells(words.text, answer) || !tells(filled, answer)) << filled;
+      EXPECT_TRUE(tells(words.text.written(), answer) || !tells(filled, answer)) << filled;
     }
     for (const Mark &mark : withoutNumbers(m_shown.figure).marks)
       EXPECT_FALSE(tells(baseOf(mark).label + baseOf(mark).numbers, answer)) << baseOf(mark).id;

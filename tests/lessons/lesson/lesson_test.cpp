@@ -35,7 +35,7 @@ std::string wordsIn(const LessonStep &step) {
   std::string words;
   for (const StepBlock &block : step.blocks)
     if (const auto *own = std::get_if<StepWords>(&block))
-      words += (words.empty() ? "" : "|") + own->markdown;
+      words += (words.empty() ? "" : "|") + own->text.written();
   return words;
 }
 
@@ -158,9 +158,9 @@ why: So.
   EXPECT_EQ(linesIn(first), (std::vector<std::string>{"f", "side", "foot"}));
   const std::vector<Task> tasks = tasksOf(first);
   ASSERT_EQ(tasks.size(), 1U);
-  EXPECT_EQ(tasks[0].instruction, "Go there.");
-  EXPECT_EQ(tasks[0].now, "$f$ is {f}.");
-  EXPECT_EQ(tasks[0].answer, "$Q$ is there.");
+  EXPECT_EQ(tasks[0].instruction.written(), "Go there.");
+  EXPECT_EQ(tasks[0].now.written(), "$f$ is {f}.");
+  EXPECT_EQ(tasks[0].answer.written(), "$Q$ is there.");
   ASSERT_EQ(tasks[0].conditions.size(), 2U);
   EXPECT_EQ(tasks[0].conditions[1].relation, Condition::Relation::Less);
   EXPECT_EQ(tasks[0].conditions[1].against, "-1/2");
@@ -203,7 +203,7 @@ TEST(Lesson, ANote_HasATitleAndWordsThatAreFoldedAway) {
   const auto *note = std::get_if<StepNote>(&lesson->steps[0].blocks.back());
   ASSERT_TRUE(note);
   EXPECT_EQ(note->title, "For *readers* of $n$");
-  EXPECT_EQ(note->words.markdown, "A word.\n\nAnother $\\foo$.");
+  EXPECT_EQ(note->words.text.written(), "A word.\n\nAnother $\\foo$.");
   EXPECT_EQ(note->words.lines, (std::vector<int>{17, 18, 19}));
   const Problem problem = problemOf(frontMatter + "## One\n```note\nA title alone\n```\n");
   EXPECT_EQ(problem.line, 13);

@@ -27,16 +27,17 @@ inline std::string pseudoWords(const std::string &written) {
 
 namespace detail {
 
-inline void translate(std::string &markdown) { markdown = pseudoWords(markdown); }
+inline void translate(std::string &words) { words = pseudoWords(words); }
+inline void translate(MarkdownText &words) { words = pseudoWords(words.written()); }
 
 struct BlockTranslator {
-  void operator()(StepWords &words) const { translate(words.markdown); }
+  void operator()(StepWords &words) const { translate(words.text); }
   void operator()(StepNote &note) const {
     translate(note.title);
-    translate(note.words.markdown);
+    translate(note.words.text);
   }
   void operator()(Task &task) const {
-    for (std::string *words : {&task.instruction, &task.now, &task.answer})
+    for (MarkdownText *words : {&task.instruction, &task.now, &task.answer})
       translate(*words);
   }
   void operator()(Prediction &prediction) const {

@@ -1,5 +1,5 @@
 // The figures of our lessons' steps: what a step speaks of is drawn.
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/shown.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ struct StepOf {
   [[nodiscard]] std::vector<std::string> formulas() const {
     std::vector<std::string> all;
     for (const LessonWords &words : wordsOf(step))
-      for (std::string &formula : formulasIn(words.text))
+      for (std::string &formula : formulasIn(words.text.written()))
         all.push_back(std::move(formula));
     for (const WorkingLine &line : shown.working.lines)
       all.push_back(latexOf(line, LinePiece::Symbols));

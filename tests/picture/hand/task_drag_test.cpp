@@ -318,7 +318,7 @@ TEST(DragsForTasks, OfEveryTask_IsSaidInTheTable) {
     for (const LessonStep &step : lesson.steps)
       for (const Task &task : tasksOf(step)) {
         ++tasks;
-        EXPECT_TRUE(rowOf(lesson, task)) << lesson.id << ": " << task.instruction;
+        EXPECT_TRUE(rowOf(lesson, task)) << lesson.id << ": " << task.instruction.written();
       }
   EXPECT_GT(tasks, 0U);
 }
@@ -330,12 +330,12 @@ void doTasksOf(const Lesson &lesson, const LessonStep &step) {
   const std::vector<Task> tasks = tasksOf(step);
   for (std::size_t task = 0; task < tasks.size(); ++task) {
     const Asked *asked = rowOf(lesson, tasks[task]);
-    ASSERT_TRUE(asked) << tasks[task].instruction;
+    ASSERT_TRUE(asked) << tasks[task].instruction.written();
     const Doing start{lesson, step, task, scene, progress};
     for (const std::string &id : asked->handles) {
       Doing doing = start;
       EXPECT_TRUE(TaskDrag(doing, id).succeeds())
-          << lesson.id << ": " << tasks[task].instruction << " with " << id;
+          << lesson.id << ": " << tasks[task].instruction.written() << " with " << id;
       if (id == asked->handles.front()) {
         scene = doing.scene;
         progress = doing.progress;

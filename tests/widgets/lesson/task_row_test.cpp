@@ -1,6 +1,7 @@
 // A task beside its mark, and the marks of verdicts.
 #include "widgets/lesson/task_row.h"
 
+#include "tests/widgets/text/as_written.h"
 #include "widgets/colors.h"
 #include "widgets/verdict.h"
 
@@ -9,16 +10,15 @@
 #include <QtTest>
 
 using namespace halfspace;
+using test::asWritten;
 
 namespace {
 
 const Theme &theme() { return themes().front(); }
 QColor rightInk() { return toQColor(theme().inkOf(Subject::Triangle)); }
 
-FilledMarkdown filled(const char *markdown) { return withNames(readWords(markdown)); }
-
 Lazy<FilledMarkdown> later(const char *markdown) {
-  return Lazy<FilledMarkdown>([markdown] { return filled(markdown); });
+  return Lazy<FilledMarkdown>([markdown] { return asWritten(markdown); });
 }
 
 QImage painted(Verdict verdict) {
@@ -62,7 +62,7 @@ private slots:
 
   void row_ofATaskThatIsDone_paintsTheMarkAndSaysSo() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
+    row.setWords(asWritten("Make $f(Q) = 0$."), later(""), later(""));
     row.resize(300, 40);
     QCOMPARE(row.spokenName(), QString("To do: Make f(Q) = 0."));
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
@@ -75,7 +75,7 @@ private slots:
 
   void row_ofATaskThatHoldsAlready_saysSoInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
+    row.setWords(asWritten("Make $f(Q) = 0$."), later(""), later(""));
     const int alone = row.heightForWidth(400);
     row.setState(TaskState::HoldsAlready);
     QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
@@ -88,7 +88,7 @@ private slots:
 
   void row_ofATaskThatIsDone_tellsTheAnswerInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$. Where is $Q$?"), later(""), later("In the plane."));
+    row.setWords(asWritten("Make $f(Q) = 0$. Where is $Q$?"), later(""), later("In the plane."));
     const int alone = row.heightForWidth(400);
     QCOMPARE(row.spokenDescription(), QString());
     row.setState(TaskState::Done);
@@ -100,7 +100,7 @@ private slots:
 
   void row_tellsHowFarTheLearnerIs_untilItIsDone() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make it 3."), later("Now it is 2."), later(""));
+    row.setWords(asWritten("Make it 3."), later("Now it is 2."), later(""));
     QCOMPARE(row.spokenDescription(), QString("Now it is 2."));
     const int withNow = row.heightForWidth(400);
     row.setState(TaskState::Done);
@@ -110,7 +110,7 @@ private slots:
 
   void row_ofATaskThatWaits_isPalerAndSaysWhy() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
+    row.setWords(asWritten("Make $f(Q) = 0$."), later(""), later(""));
     row.resize(300, 40);
     const QColor ink = toQColor(theme().ink);
     const int before = pixelsOf(row.grab().toImage(), ink);
@@ -125,7 +125,7 @@ private slots:
 
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Drag Q."), later(""), later(""));
+    row.setWords(asWritten("Drag Q."), later(""), later(""));
     for (const double textScale : {1.0, 2.0}) {
       Theme large = theme();
       large.textScale = textScale;

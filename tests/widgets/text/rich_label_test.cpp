@@ -2,6 +2,7 @@
 #include "widgets/text/rich_label.h"
 
 #include "tests/widgets/ink.h"
+#include "tests/widgets/text/as_written.h"
 
 #include <QDesktopServices>
 #include <QImage>
@@ -11,6 +12,7 @@
 #include <QtTest>
 
 using namespace halfspace;
+using test::asWritten;
 using test::inkBox;
 using test::painted;
 
@@ -70,7 +72,7 @@ private slots:
     QFETCH(QString, markdown);
     QFETCH(int, width);
     RichLabel label(m_typesetter);
-    label.setMarkdown(markdown);
+    label.setWords(asWritten(markdown));
     const int height = label.heightForWidth(width);
     const QRect ink = inkBox(painted(label, {width, height}));
     QCOMPARE(ink, inkBox(painted(label, {width, height + 100})));
@@ -85,31 +87,31 @@ private slots:
 
   void fewWordsAskForTheirOwnWidth_andManyForThatOfAColumn() {
     RichLabel label(m_typesetter);
-    label.setMarkdown("few");
+    label.setWords(asWritten("few"));
     const QSize few = label.sizeHint();
     QVERIFY(few.width() < 2 * label.fontMetrics().horizontalAdvance("few"));
-    label.setMarkdown("few more");
+    label.setWords(asWritten("few more"));
     QVERIFY(label.sizeHint().width() > few.width());
     QCOMPARE(label.sizeHint().height(), few.height());
-    label.setMarkdown(manyWords);
+    label.setWords(asWritten(manyWords));
     const QSize many = label.sizeHint();
-    label.setMarkdown(manyWords + manyWords);
+    label.setWords(asWritten(manyWords + manyWords));
     QCOMPARE(label.sizeHint().width(), many.width());
     QVERIFY(label.sizeHint().height() > 1.5 * many.height());
   }
 
   void labelCanBeNarrowerThanItAsks_butOfFewWordsOnlyAsTheyAre() {
     RichLabel label(m_typesetter);
-    label.setMarkdown(manyWords);
+    label.setWords(asWritten(manyWords));
     QVERIFY(label.minimumSizeHint().width() < label.sizeHint().width() / 2);
     QVERIFY(label.minimumSizeHint().width() > 0);
-    label.setMarkdown("a");
+    label.setWords(asWritten("a"));
     QCOMPARE(label.minimumSizeHint().width(), label.sizeHint().width());
   }
 
   void askingForASize_doesNotChangeWhatIsShown() {
     RichLabel label(m_typesetter);
-    label.setMarkdown(manyWords);
+    label.setWords(asWritten(manyWords));
     const QImage before = painted(label, {250, 400});
     (void)label.sizeHint();
     (void)label.heightForWidth(80);
@@ -118,22 +120,22 @@ private slots:
 
   void inkIsThatOfTheWords_andTheWarningOfFormulasThatCannotBeRead() {
     RichLabel label(m_typesetter);
-    label.setMarkdown("word");
+    label.setWords(asWritten("word"));
     QCOMPARE(redPixels(painted(label, {200, 40})), 0);
     label.setInk(red, warningIn(blue));
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
     label.setInk({0, 0, 0}, warningIn(red));
     QCOMPARE(redPixels(painted(label, {200, 40})), 0);
-    label.setMarkdown("word $\\foo$");
+    label.setWords(asWritten("word $\\foo$"));
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
-    label.setMarkdown("word $x$");
+    label.setWords(asWritten("word $x$"));
     QCOMPARE(redPixels(painted(label, {200, 40})), 0);
   }
 
   void inkStaysWithOtherWords() {
     RichLabel label(m_typesetter);
     label.setInk(red, warningIn(blue));
-    label.setMarkdown("words");
+    label.setWords(asWritten("words"));
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
   }
 
@@ -143,7 +145,7 @@ private slots:
       QFont font = label.font();
       font.setPixelSize(16);
       label.setFont(font);
-      label.setMarkdown(markdown);
+      label.setWords(asWritten(markdown));
       const QRect small = inkBox(painted(label, {400, 200}));
       const QSize hint = label.sizeHint();
       font.setPixelSize(48);
@@ -156,7 +158,7 @@ private slots:
 
   void formulaThatCannotBeRead_isToldWhereItStandsInTheWidthThatIsShown() {
     RichLabel label(m_typesetter);
-    label.setMarkdown("first second $\\foo$");
+    label.setWords(asWritten("first second $\\foo$"));
     const int line = label.fontMetrics().height();
     // Where every word has a line of its own, the formula stands at the left of the third.
     label.resize(label.fontMetrics().horizontalAdvance("second") + 4, 200);
@@ -172,7 +174,7 @@ private slots:
   void link_isOpenedByAClickAndByNothingElse() {
     const Opened opened;
     RichLabel label(m_typesetter);
-    label.setMarkdown("[one](https://a.b) and more words");
+    label.setWords(asWritten("[one](https://a.b) and more words"));
     label.resize(300, 100);
     label.show();
     QVERIFY(QTest::qWaitForWindowExposed(&label));
@@ -199,8 +201,8 @@ private slots:
     layout->addWidget(label);
     layout->addWidget(plain);
     layout->addWidget(behind);
-    label->setMarkdown("[one](https://a.b) and [two](https://c.d)");
-    plain->setMarkdown("words");
+    label->setWords(asWritten("[one](https://a.b) and [two](https://c.d)"));
+    plain->setWords(asWritten("words"));
     QCOMPARE(plain->focusPolicy(), Qt::NoFocus);
     column.show();
     QVERIFY(QTest::qWaitForWindowExposed(&column));
@@ -223,11 +225,11 @@ private slots:
     auto *label = new RichLabel(m_typesetter);
     layout->addWidget(label);
     layout->addStretch();
-    label->setMarkdown("few words");
+    label->setWords(asWritten("few words"));
     column.resize(200, 900);
     column.show();
     const int flat = label->height();
-    label->setMarkdown(manyWords);
+    label->setWords(asWritten(manyWords));
     QTRY_VERIFY(label->height() > 4 * flat);
     QCOMPARE(label->height(), label->heightForWidth(label->width()));
     QCOMPARE(label->plain(), manyWords.trimmed());

@@ -1,4 +1,5 @@
 // Markdown with formulas as documents.
+#include "tests/widgets/text/as_written.h"
 #include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_bytes.h"
 #include "widgets/text/picture_object.h"
@@ -18,11 +19,12 @@
 #include <QtTest>
 
 using namespace halfspace;
+using test::asWritten;
 
 namespace {
 
 QString plain(const QString &markdown, const Typesetter &typesetter) {
-  return RichText(markdown, typesetter, {QFont(), Qt::black}).plain();
+  return RichText(asWritten(markdown), typesetter, {QFont(), Qt::black}).plain();
 }
 
 QImage painted(const RichText &text) {
@@ -91,7 +93,7 @@ private slots:
   void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
     const Typesetter typesetter;
     QCOMPARE(plain("now $t$ = $3$, so", typesetter), QString("now t = 3, so"));
-    const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
+    const RichText rich(asWritten("word |n| = (2√43)/3 word"), typesetter, {QFont(), Qt::black});
     rich.document().setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
     rich.document().size(); // lays it out
     const QTextLine first = rich.document().begin().layout()->lineAt(0);
@@ -100,8 +102,8 @@ private slots:
 
   void everyFormulaStandsInTheDocument() {
     const Typesetter typesetter;
-    const RichText rich("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list", typesetter,
-                        {QFont(), Qt::black});
+    const RichText rich(asWritten("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list"),
+                        typesetter, {QFont(), Qt::black});
     QCOMPARE(rich.document().toPlainText().count(QChar::ObjectReplacementCharacter), 3);
     QVERIFY(rich.plain().contains("in a list"));
   }
@@ -109,7 +111,7 @@ private slots:
   void lineGrowsForATallFormula() {
     const Typesetter typesetter;
     const auto heightOf = [&](const QString &markdown) {
-      return RichText(markdown, typesetter, {QFont(), Qt::black}).document().size().height();
+      return RichText(asWritten(markdown), typesetter, {QFont(), Qt::black}).document().size().height();
     };
     QVERIFY(heightOf("a $\\displaystyle\\frac{\\frac12}{\\frac12}$ b") > 1.3 * heightOf("a $x$ b"));
   }
@@ -125,7 +127,7 @@ private slots:
     const Typesetter typesetter;
     QFont font;
     font.setPixelSize(40);
-    const RichText rich("H $" + latex + "$", typesetter, {font, Qt::black});
+    const RichText rich(asWritten("H $" + latex + "$"), typesetter, {font, Qt::black});
     QImage image(400, 400, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
@@ -147,8 +149,9 @@ private slots:
 
   void htmlStandsAsWrittenAndImagesAreNotLoaded() {
     const Typesetter typesetter;
-    const RichText rich("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)",
-                        typesetter, {QFont(), Qt::black});
+    const RichText rich(
+        asWritten("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)"),
+        typesetter, {QFont(), Qt::black});
     QVERIFY(rich.plain().contains("<b>no</b>"));
     QVERIFY(rich.plain().contains("a link"));
     QVERIFY(!rich.document().toPlainText().contains(QChar::ObjectReplacementCharacter));
@@ -167,8 +170,9 @@ private slots:
 
   void blocksLookLikeWhatTheyAre() {
     const Typesetter typesetter;
-    const RichText rich("# a $x$ b\n\n> c\n\n3. d\n   - e\n\n   f\n\n```\ng\nh\n```\n\n---\n\n- [x] i",
-                        typesetter, {QFont(), Qt::black});
+    const RichText rich(
+        asWritten("# a $x$ b\n\n> c\n\n3. d\n   - e\n\n   f\n\n```\ng\nh\n```\n\n---\n\n- [x] i"), typesetter,
+        {QFont(), Qt::black});
     QStringList looks;
     for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next()) {
       const QTextBlockFormat format = block.blockFormat();
@@ -191,7 +195,7 @@ private slots:
 
   void wordsOfAHeadingKeepItsSizeBehindAFormulaAndInOtherFaces() {
     const Typesetter typesetter;
-    const RichText rich("# a $x$ *b* `c` d", typesetter, {QFont(), Qt::black});
+    const RichText rich(asWritten("# a $x$ *b* `c` d"), typesetter, {QFont(), Qt::black});
     const QTextBlock heading = rich.document().begin();
     for (auto fragment = heading.begin(); !fragment.atEnd(); ++fragment) {
       const QTextCharFormat format = fragment.fragment().charFormat();
@@ -209,21 +213,21 @@ private slots:
 
   void macrosAreKnownToTheEyeAndToTheEar() {
     const Typesetter typesetter = Typesetter().with({{"len", {1, "\\lvert #1\\rvert"}}});
-    const RichText rich("So $\\len n$ is", typesetter, {QFont(), Qt::black});
-    const RichText same("So $\\lvert n\\rvert$ is", typesetter, {QFont(), Qt::black});
+    const RichText rich(asWritten("So $\\len n$ is"), typesetter, {QFont(), Qt::black});
+    const RichText same(asWritten("So $\\lvert n\\rvert$ is"), typesetter, {QFont(), Qt::black});
     QCOMPARE(painted(rich), painted(same));
     QCOMPARE(rich.plain(), QString("So |n| is"));
   }
 
   void barsAndRelationsInWords_areReadOutAsTheyAreWritten() {
     const Typesetter typesetter;
-    const RichText rich("So |n| = 3 here", typesetter, {QFont(), Qt::black});
+    const RichText rich(asWritten("So |n| = 3 here"), typesetter, {QFont(), Qt::black});
     QCOMPARE(rich.plain(), QString("So |n| = 3 here"));
   }
 
   void formulaThatCannotBeReadStandsOutAndSaysWhyToEyeAndEar() {
     const Typesetter typesetter;
-    RichText rich("Words, $x$ and $\\foo$.", typesetter, {QFont(), Qt::black, Qt::red});
+    RichText rich(asWritten("Words, $x$ and $\\foo$."), typesetter, {QFont(), Qt::black, Qt::red});
     rich.document().setTextWidth(300);
     const QString why("Column 1: `\\foo` is unknown.");
     QCOMPARE(rich.plain(), QString("Words, x and foo. (a formula that cannot be read: " + why + ")"));
@@ -241,7 +245,7 @@ private slots:
           QVERIFY2(problem.isEmpty(), qPrintable(QString("black at %1, %2").arg(x).arg(y)));
       }
     QVERIFY(told > 50);
-    rich.setWords(withNames(readWords("Words, $x$ and $y$.")));
+    rich.setWords(asWritten("Words, $x$ and $y$."));
     QCOMPARE(rich.plain(), QString("Words, x and y."));
     QVERIFY(rich.problemAt(QPointF(120, 10)).isEmpty());
   }
@@ -249,16 +253,16 @@ private slots:
   void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {
     const Typesetter typesetter;
     const QString words("Now $t$ is $%1$, and **so** on:\n\n- one\n- $s = %2$");
-    RichText changed(words.arg("3", "1"), typesetter, {QFont(), Qt::black});
+    RichText changed(asWritten(words.arg("3", "1")), typesetter, {QFont(), Qt::black});
     for (const char *value : {"\\frac{10}{3}", "4", "\\sqrt{\\frac{1}{\\frac{2}{3}}}"}) {
       const QString markdown = words.arg("-2", value);
-      changed.setWords(withNames(readWords(markdown.toStdString())));
-      const RichText fresh(markdown, typesetter, {QFont(), Qt::black});
+      changed.setWords(asWritten(markdown));
+      const RichText fresh(asWritten(markdown), typesetter, {QFont(), Qt::black});
       QCOMPARE(changed.plain(), fresh.plain());
       QCOMPARE(changed.document().size(), fresh.document().size());
       QCOMPARE(painted(changed), painted(fresh));
     }
-    changed.setWords(withNames(readWords("Other words")));
+    changed.setWords(asWritten("Other words"));
     QCOMPARE(changed.plain(), QString("Other words"));
   }
 
@@ -266,9 +270,9 @@ private slots:
     const Typesetter typesetter;
     const QString words("Now $t$ = %1, and **so** %1.\n\n| a |\n|---|\n| [%1](https://b.c) |\n\n%1");
     const auto half = [](const std::string &) { return LiveNumber{number(Rational(-1, 2))}; };
-    const RichText live(filledIn(readWords(words.arg("{t}").toStdString()), half), typesetter,
+    const RichText live(filledIn(MarkdownText(words.arg("{t}").toStdString()).markdown(), half), typesetter,
                         {QFont(), Qt::black});
-    const RichText written(words.arg("$-1/2$"), typesetter, {QFont(), Qt::black});
+    const RichText written(asWritten(words.arg("$-1/2$")), typesetter, {QFont(), Qt::black});
     QCOMPARE(painted(live), painted(written));
     QCOMPARE(live.plain(), written.plain());
     QVERIFY2(live.plain().startsWith("Now t = −1/2, and so −1/2.\n"), qPrintable(live.plain()));
@@ -277,14 +281,15 @@ private slots:
   void liveNumbers_besideAFormulaThatCannotBeRead_stillTellWhy() {
     const Typesetter typesetter;
     const auto three = [](const std::string &) { return LiveNumber{number(3)}; };
-    const RichText live(filledIn(readWords("So $\\foo$ = {t}."), three), typesetter, {QFont(), Qt::black});
+    const RichText live(filledIn(MarkdownText("So $\\foo$ = {t}.").markdown(), three), typesetter,
+                        {QFont(), Qt::black});
     QCOMPARE(live.plain(),
              QString("So foo = 3. (a formula that cannot be read: Column 1: `\\foo` is unknown.)"));
   }
 
   void newValues_setAnewOnlyTheNumbersThatChanged() {
     const Typesetter typesetter;
-    const Markdown words = readWords("So $t$ = {t}, and $u$ = {u}.");
+    const Markdown words = MarkdownText("So $t$ = {t}, and $u$ = {u}.").markdown();
     const auto with = [&](int t, int u) {
       return filledIn(words,
                       [=](const std::string &name) { return LiveNumber{number(name == "t" ? t : u)}; });
@@ -305,17 +310,17 @@ private slots:
     const QTemporaryDir folder;
     writePicture(folder.filePath("a.png"), {100, 20});
     writePicture(folder.filePath("b.jpg"), {100, 20}, "jpg");
-    const RichText rich("words ![a box](a.png) and $x$", typesetter,
+    const RichText rich(asWritten("words ![a box](a.png) and $x$"), typesetter,
                         {usualFont(), Qt::black, {}, {}, folder.path().toStdString()});
     QCOMPARE(redWidth(rich, 290), 100);
     QCOMPARE(redWidth(rich, 60), 60);
     QCOMPARE(rich.plain(), QString("words a box and x"));
     QFont large = usualFont();
     large.setPixelSize(32);
-    const RichText grown("![a box](a.png)", typesetter,
+    const RichText grown(asWritten("![a box](a.png)"), typesetter,
                          {large, Qt::black, {}, {}, folder.path().toStdString()});
     QCOMPARE(redWidth(grown, 290), 200);
-    const RichText jpeg("![a box](b.jpg)", typesetter,
+    const RichText jpeg(asWritten("![a box](b.jpg)"), typesetter,
                         {usualFont(), Qt::black, {}, {}, folder.path().toStdString()});
     QVERIFY(!jpeg.document().toPlainText().contains("a box"));
   }
@@ -356,7 +361,7 @@ private slots:
     QVERIFY(whole.open(QFile::ReadOnly));
     write("cut.png", whole.readAll().left(60));
     QImage(5000, 5000, QImage::Format_Mono).save(folder.filePath("huge.png"));
-    const RichText rich("![a box](" + name + ") and $x$", typesetter,
+    const RichText rich(asWritten("![a box](" + name + ") and $x$"), typesetter,
                         {usualFont(), Qt::black, Qt::red, {}, folder.path().toStdString()});
     QVERIFY2(rich.plain().startsWith("a box (") && rich.plain().contains(name) &&
                  rich.plain().contains(reason),
@@ -430,15 +435,15 @@ private slots:
     writePicture(folder.filePath("a.png"), {10, 10});
     RichTextStyle style{usualFont(), Qt::black};
     style.pictures = {folder.path().toStdString(), std::make_shared<int>(leastPixelsTaken)};
-    RichText first("![first](a.png)", typesetter, style);
-    RichText second("![second](a.png)", typesetter, style);
+    RichText first(asWritten("![first](a.png)"), typesetter, style);
+    RichText second(asWritten("![second](a.png)"), typesetter, style);
     QCOMPARE(first.plain(), QString("first"));
     QVERIFY(second.plain().contains("no room for it"));
     style.ink = Qt::blue;
     first.setStyle(style);
     QCOMPARE(first.plain(), QString("first"));
     QVERIFY(redWidth(first, 290) == 10);
-    first.setWords(withNames(readWords("words")));
+    first.setWords(asWritten("words"));
     second.setStyle(style);
     QCOMPARE(second.plain(), QString("second"));
   }
@@ -450,7 +455,7 @@ private slots:
 
   void table_hasItsColumnsBesideEachOther_andNoLinesAroundIt() {
     const Typesetter typesetter;
-    const RichText rich("| left | right |\n|---|--:|\n| $x$ | b |\n| c | d |", typesetter,
+    const RichText rich(asWritten("| left | right |\n|---|--:|\n| $x$ | b |\n| c | d |"), typesetter,
                         {usualFont(), Qt::black});
     rich.document().setTextWidth(290);
     const auto blockOf = [&](const QString &word) { return rich.document().find(word).block(); };
@@ -467,14 +472,14 @@ private slots:
     QVERIFY2(boxOf("right").left() - boxOf("left").right() > line / 2, "a gap between the columns");
     QVERIFY2(boxOf("left").top() < line, "no empty line above");
     QVERIFY2(rich.document().size().height() - boxOf("d").bottom() < 1.5 * line, "nor below");
-    const RichText behind("| a |\n|---|\n\nwords", typesetter, {usualFont(), Qt::black});
+    const RichText behind(asWritten("| a |\n|---|\n\nwords"), typesetter, {usualFont(), Qt::black});
     behind.document().setTextWidth(290);
     QCOMPARE(behind.document().lastBlock().text(), QString("words"));
   }
 
   void links_areFoundByTheirPlace_andInTheirOrder() {
     const Typesetter typesetter;
-    const RichText rich("[one *of*](https://a.b) and [$x$](https://c.d) [three](b.md)", typesetter,
+    const RichText rich(asWritten("[one *of*](https://a.b) and [$x$](https://c.d) [three](b.md)"), typesetter,
                         {usualFont(), Qt::black, {}, Qt::red});
     rich.document().setTextWidth(290);
     rich.document().size();
@@ -489,7 +494,7 @@ private slots:
   void labelShowsWhyAFormulaCannotBeReadAsAToolTip() {
     const Typesetter typesetter;
     RichLabel label(typesetter);
-    label.setMarkdown("$\\foo$ and more");
+    label.setWords(asWritten("$\\foo$ and more"));
     label.resize(300, 100);
     label.show();
     QVERIFY(QTest::qWaitForWindowExposed(&label));
@@ -507,7 +512,7 @@ private slots:
   void labelIsTallerInANarrowerPlace() {
     const Typesetter typesetter;
     RichLabel label(typesetter);
-    label.setMarkdown("Some words with $\\vec n$ that need more than one line in a narrow place.");
+    label.setWords(asWritten("Some words with $\\vec n$ that need more than one line in a narrow place."));
     QVERIFY(label.heightForWidth(120) > label.heightForWidth(600));
     QVERIFY(label.plain().startsWith("Some words"));
   }
@@ -515,9 +520,9 @@ private slots:
   void labelIsAsTallAsItsNewFormulaAtOnce() {
     const Typesetter typesetter;
     RichLabel label(typesetter);
-    label.setMarkdown("$x$");
+    label.setWords(asWritten("$x$"));
     const int flat = label.heightForWidth(200);
-    label.setMarkdown("$$\\frac{1}{\\frac{2}{3}}$$");
+    label.setWords(asWritten("$$\\frac{1}{\\frac{2}{3}}$$"));
     QVERIFY(label.heightForWidth(200) > flat);
   }
 };

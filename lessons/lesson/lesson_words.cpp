@@ -1,0 +1,55 @@
+#include "lessons/lesson/lesson_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+
+int LessonWords::lineAt(std::size_t place) const {
+  const auto passed = std::ranges::lower_bound(lineEnds, place) - lineEnds.begin();
+  return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
+}
+
+LessonWords::LessonWords(MarkdownText words, std::vector<int> linesOfWords, std::string fieldOfWords)
+    : text(std::move(words)), lines(std::move(linesOfWords)), field(std::move(fieldOfWords)) {
+  const std::string &written = text.written();
+  for (auto end = written.find('\n'); end != std::string::npos; end = written.find('\n', end + 1))
+    lineEnds.push_back(end);
+}
+
+std::vector<LessonWords> wordsOf(const LessonStep &step) {
+  std::vector<LessonWords> words;
+  const Overloaded add{
+      [&](const StepWords &block) { words.emplace_back(block.text, block.lines, ""); },
+      [](const StepLines &) {},
+      [](const StepFlight &) {},
+      [](const StepFragments &) {},
+      [](const StepCost &) {},
+      [&](const StepNote &note) { words.emplace_back(note.words.text, note.words.lines, "note"); },
+      [&](const Task &task) {
+        words.emplace_back(task.instruction, std::vector{task.line}, "do");
+        if (!task.now.isEmpty())
+          words.emplace_back(task.now, std::vector{task.nowLine}, "now");
+        if (!task.answer.isEmpty())
+          words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
+      },
+      [&](const Prediction &prediction) {
+        words.emplace_back(prediction.question, std::vector{prediction.questionLine}, "ask");
+        for (const Prediction::Choice &choice : prediction.choices)
+          words.emplace_back(choice.text, std::vector{choice.line}, "choices");
+        words.emplace_back(prediction.reason, std::vector{prediction.reasonLine}, "why");
+      }};
+  for (const StepBlock &block : step.blocks)
+    std::visit(add, block);
+  return words;
+}
+
+std::vector<LessonWords> wordsOf(const Lesson &lesson) {
+  std::vector<LessonWords> words;
+  for (const LessonStep &step : lesson.steps)
+    for (LessonWords &piece : wordsOf(step))
+      words.push_back(std::move(piece));
+  return words;
+}
+
+} // namespace halfspace

@@ -1,0 +1,25 @@
+// All words of a lesson that are set with their formulas, in one list.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+
+namespace halfspace {
+
+/// A piece of a lesson's words.
+struct LessonWords {
+  LessonWords(MarkdownText words, std::vector<int> linesOfWords, std::string fieldOfWords);
+
+  MarkdownText text;
+  std::vector<int> lines; ///< where its lines stand in the file; one for all where YAML has folded them
+  std::string field;      ///< of a block; empty for the words of a step
+  std::vector<std::size_t> lineEnds; ///< places in the text
+
+  /// The line of the file that a place in the text is of.
+  [[nodiscard]] int lineAt(std::size_t place) const;
+};
+
+/// From top to bottom within a step.
+[[nodiscard]] std::vector<LessonWords> wordsOf(const LessonStep &step);
+[[nodiscard]] std::vector<LessonWords> wordsOf(const Lesson &lesson);
+
+} // namespace halfspace
