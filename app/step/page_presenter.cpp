@@ -25,12 +25,12 @@ PagePresenter::PagePresenter(SessionModel &model, LessonPage &page, WorkingPract
 }
 
 void PagePresenter::showLesson() {
-  m_page.setLesson(m_model.lesson(), m_model.session().step);
+  m_page.setLesson(m_model.lesson());
   const Lesson *next = nextLesson();
   m_page.setNextLesson(next ? QString::fromStdString(next->title) : QString());
 }
 
-void PagePresenter::showStep() { m_page.setStep(m_model.session().step); }
+void PagePresenter::showStep() { m_page.showStep(m_model.step(), m_model.session().step); }
 
 void PagePresenter::showLines() {
   m_practice.setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);

@@ -21,6 +21,7 @@ public:
   PagePresenter(SessionModel &model, LessonPage &page, WorkingPractice &practice, StepQuestion &question,
                 LearnerProgress &progress, StepAtStart &atStart);
 
+  /// Another lesson; its step is shown next.
   void showLesson();
   /// Another step of the lesson; its words and lines come with its outcome.
   void showStep();

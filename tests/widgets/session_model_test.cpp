@@ -78,6 +78,15 @@ private slots:
     QCOMPARE(model.session().step, static_cast<int>(lesson.steps.size()) - 1);
   }
 
+  void step_thatTheLessonHasNot_isTheNearest() {
+    SessionModel model(library());
+    const int last = static_cast<int>(model.lesson().steps.size()) - 1;
+    model.setStep(99);
+    QCOMPARE(model.session().step, last);
+    model.setStep(-1);
+    QCOMPARE(model.session().step, 0);
+  }
+
   void lessonRenewed_withOtherWordsOrNumbers_keepsStepAndChangedScene() {
     SessionModel model(library());
     model.openLesson("signed-distance");

@@ -1,6 +1,5 @@
 #include "widgets/lesson/lesson_page.h"
 
-#include "lessons/lesson/nearest_step.h"
 #include "widgets/colors.h"
 #include "widgets/working/working_practice.h"
 
@@ -9,7 +8,6 @@
 #include <QScrollBar>
 
 #include <algorithm>
-#include <utility>
 
 namespace halfspace {
 
@@ -69,36 +67,28 @@ void LessonPage::layOut() {
   layout->addLayout(m_foot);
 }
 
-void LessonPage::setLesson(const Lesson &lesson, int step) {
-  m_lesson = lesson;
+void LessonPage::setLesson(const Lesson &lesson) {
+  m_folder = folderOf(lesson);
   m_typesetter = m_typesetter.with(lesson.macros);
   QStringList titles;
   for (const LessonStep &each : lesson.steps)
     titles << QString::fromStdString(each.title);
   m_foot->setSteps(titles);
-  m_step = nearestStep(m_lesson, step);
-  showStep();
+  m_stepCount = static_cast<int>(titles.size());
 }
 
-void LessonPage::setStep(int step) {
-  if (std::exchange(m_step, nearestStep(m_lesson, step)) != m_step)
-    showStep();
-}
-
-void LessonPage::showStep() {
-  m_head->setStep(m_step, static_cast<int>(m_lesson.steps.size()),
-                  QString::fromStdString(stepOf(m_lesson, m_step).title));
+void LessonPage::showStep(const LessonStep &step, int number) {
+  m_head->setStep(number, m_stepCount, QString::fromStdString(step.title));
   // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.
   if (isAncestorOf(QApplication::focusWidget()))
     setFocus();
-  m_foot->setStep(m_step);
-  makeBlocks();
+  m_foot->setStep(number);
+  makeBlocks(step);
   m_scroll->verticalScrollBar()->setValue(0);
 }
 
-void LessonPage::makeBlocks() {
-  auto *blocks = new StepBlocks(m_typesetter, stepOf(m_lesson, m_step), {folderOf(m_lesson)},
-                                m_practice.working(), m_flight);
+void LessonPage::makeBlocks(const LessonStep &step) {
+  auto *blocks = new StepBlocks(m_typesetter, step, {m_folder}, m_practice.working(), m_flight);
   connect(blocks, &StepBlocks::predictionChosen, this, [this](const QString &word) {
     // The choices are disabled now: the next widget that takes keys may be a number.
     if (!m_foot->focusNext())

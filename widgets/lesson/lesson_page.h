@@ -21,10 +21,12 @@ public:
   LessonPage(const Typesetter &typesetter, WorkingPractice &practice, QWidget *parent = nullptr);
   ~LessonPage() override;
 
-  /// Shows a step of a lesson.
-  void setLesson(const Lesson &lesson, int step = 0);
-  /// Shows another step; a number out of range shows the nearest one. Its words come by `showWords`.
-  void setStep(int step);
+  /// What follows are steps of this lesson, and what they have in common is its. Which of them is shown comes
+  /// by `showStep`.
+  void setLesson(const Lesson &lesson);
+  /// Shows a step, which has this number among those of the lesson, counted from 0. Its words come by
+  /// `showWords`.
+  void showStep(const LessonStep &step, int number);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
   /// Sets the step's words with what their live values are now. These are asked for again where words come
@@ -56,9 +58,8 @@ protected:
 
 private:
   void layOut();
-  void showStep();
   /// Puts the step's blocks on the page, instead of those that were there.
-  void makeBlocks();
+  void makeBlocks(const LessonStep &step);
   /// So that no line of words gets too long.
   void setMargins();
   void scrollTo(const QWidget &part);
@@ -67,8 +68,8 @@ private:
   Typesetter m_typesetter; ///< with the lesson's macros
   FlightBlocks m_flight{m_typesetter};
   Theme m_theme;
-  Lesson m_lesson;
-  int m_step = 0;
+  std::filesystem::path m_folder; ///< of the lesson, see LessonPictures
+  int m_stepCount = 0;            ///< of the lesson
   WorkingPractice &m_practice;
   QScrollArea *m_scroll;
   QVBoxLayout *m_page; ///< what is scrolled
