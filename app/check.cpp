@@ -44,9 +44,6 @@ void addIfUnreadable(const MarkdownFormula::Side &formula, const LessonWords &pi
          lesson.file, piece.lineAt(formula.place), piece.field});
 }
 
-/// Whether a page shows the pictures of a piece; it describes those of tasks and questions.
-bool showsPictures(const LessonWords &piece) { return piece.field.empty() || piece.field == "note"; }
-
 /// The pictures among blocks, those in each other too.
 void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::string> &names) {
   for (const MarkdownBlock &block : blocks) {
@@ -75,7 +72,7 @@ void addUnreadable(const LessonWords &piece, const Lesson &lesson, const LessonP
       if (!side.isLive)
         addIfUnreadable(side, piece, lesson, problems);
   std::vector<std::string> pictures;
-  if (showsPictures(piece))
+  if (piece.showsPictures)
     addPictures(markdown.blocks, pictures);
   for (const std::string &picture : pictures)
     addIfNotShown(picture, piece, lesson, ofPage, problems);

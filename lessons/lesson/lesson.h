@@ -80,7 +80,8 @@ struct Task {
 /// The word of a choice that is right when none of the others is.
 inline constexpr const char *otherwise = "otherwise";
 
-/// A question that hides the numbers until the learner has chosen an answer.
+/// A question that hides the numbers until the learner has chosen an answer. Its words hold whatever the
+/// scene is: a live value stands there as it is written.
 struct Prediction {
   struct Choice {
     std::string word; ///< what the value must be for this choice to be right, or `otherwise`
@@ -97,7 +98,8 @@ struct Prediction {
   int reasonLine = 0;
 };
 
-/// Markdown with LaTeX and live values.
+/// Markdown with LaTeX and live values. Its pictures are shown; those of all other texts of a step are
+/// described.
 struct StepWords {
   MarkdownText text;
   std::vector<int> lines{}; ///< where each of its lines stands in the file

@@ -17,28 +17,43 @@ LessonWords::LessonWords(MarkdownText words, std::vector<int> linesOfWords, std:
     lineEnds.push_back(end);
 }
 
+namespace {
+
+LessonWords ofPage(const StepWords &block, const std::string &field) {
+  LessonWords words(block.text, block.lines, field);
+  words.showsPictures = true;
+  return words;
+}
+
+LessonWords ofQuestion(const MarkdownText &text, int line, const std::string &field) {
+  LessonWords words(text, {line}, field);
+  words.fillsInValues = false;
+  return words;
+}
+
+} // namespace
+
 std::vector<LessonWords> wordsOf(const LessonStep &step) {
   std::vector<LessonWords> words;
-  const Overloaded add{
-      [&](const StepWords &block) { words.emplace_back(block.text, block.lines, ""); },
-      [](const StepLines &) {},
-      [](const StepFlight &) {},
-      [](const StepFragments &) {},
-      [](const StepCost &) {},
-      [&](const StepNote &note) { words.emplace_back(note.words.text, note.words.lines, "note"); },
-      [&](const Task &task) {
-        words.emplace_back(task.instruction, std::vector{task.line}, "do");
-        if (!task.now.isEmpty())
-          words.emplace_back(task.now, std::vector{task.nowLine}, "now");
-        if (!task.answer.isEmpty())
-          words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
-      },
-      [&](const Prediction &prediction) {
-        words.emplace_back(prediction.question, std::vector{prediction.questionLine}, "ask");
-        for (const Prediction::Choice &choice : prediction.choices)
-          words.emplace_back(choice.text, std::vector{choice.line}, "choices");
-        words.emplace_back(prediction.reason, std::vector{prediction.reasonLine}, "why");
-      }};
+  const Overloaded add{[&](const StepWords &block) { words.push_back(ofPage(block, "")); },
+                       [](const StepLines &) {},
+                       [](const StepFlight &) {},
+                       [](const StepFragments &) {},
+                       [](const StepCost &) {},
+                       [&](const StepNote &note) { words.push_back(ofPage(note.words, "note")); },
+                       [&](const Task &task) {
+                         words.emplace_back(task.instruction, std::vector{task.line}, "do");
+                         if (!task.now.isEmpty())
+                           words.emplace_back(task.now, std::vector{task.nowLine}, "now");
+                         if (!task.answer.isEmpty())
+                           words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
+                       },
+                       [&](const Prediction &prediction) {
+                         words.push_back(ofQuestion(prediction.question, prediction.questionLine, "ask"));
+                         for (const Prediction::Choice &choice : prediction.choices)
+                           words.push_back(ofQuestion(choice.text, choice.line, "choices"));
+                         words.push_back(ofQuestion(prediction.reason, prediction.reasonLine, "why"));
+                       }};
   for (const StepBlock &block : step.blocks)
     std::visit(add, block);
   return words;

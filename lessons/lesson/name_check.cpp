@@ -139,7 +139,7 @@ public:
       for (const MarkdownFormula &formula : piece.text.markdown().formulas)
         for (const MarkdownFormula::Side &side : formula.sides)
           if (side.isLive)
-            complain(isOfQuestion(piece.field) ? noLiveInQuestion(side.text) : whyNotLive(side.text),
+            complain(piece.fillsInValues ? whyNotLive(side.text) : noLiveInQuestion(side.text),
                      piece.lineAt(side.place), piece.field);
     return std::move(m_problems);
   }
@@ -310,11 +310,6 @@ private:
           "“{against}” is a value too, and two values are not compared: compare “{value}” with a number.",
           {{"against", condition.against}, {"value", condition.value}});
     return whyIncomparable(*meant.value, condition);
-  }
-
-  /// Whether a field belongs to a question, whose words hold whatever the scene is.
-  static bool isOfQuestion(const std::string &field) {
-    return field == "ask" || field == "choices" || field == "why";
   }
 
   static std::string noLiveInQuestion(const std::string &name) {
