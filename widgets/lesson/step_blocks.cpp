@@ -2,7 +2,6 @@
 
 #include "widgets/lesson/note_fold.h"
 #include "widgets/working/step_working.h"
-#include "widgets/would_be_seen.h"
 
 #include <QCoreApplication>
 #include <QVBoxLayout>
@@ -35,16 +34,18 @@ QWidget *StepBlocks::blockOf(const StepNote &note) {
   auto *fold = new NoteFold(m_typesetter, QString::fromStdString(note.title));
   m_notes.push_back(fold);
   add(note.words, fold->words());
-  connect(fold, &NoteFold::opened, this, [this, fold] {
-    setWords();
-    emit reached(fold);
-  });
+  connect(fold, &NoteFold::opened, this, [this, fold] { emit reached(fold); });
   return fold;
 }
 
 QWidget *StepBlocks::blockOf(const Task &task) {
-  m_tasks.push_back({task.instruction, task.now, task.answer, new TaskRow(m_typesetter)});
-  return m_tasks.back().row;
+  auto *row = new TaskRow(m_typesetter);
+  m_tasks.push_back(row);
+  m_filled.push_back(std::make_unique<WhenSeen>(
+      *row, [this, row, instruction = task.instruction, now = task.now, answer = task.answer] {
+        row->setWords(filled(instruction), filledWhenSeen(now), filledWhenSeen(answer));
+      }));
+  return row;
 }
 
 QWidget *StepBlocks::blockOf(const Prediction &prediction) {
@@ -61,44 +62,35 @@ QWidget *StepBlocks::blockOf(const Prediction &prediction) {
 }
 
 void StepBlocks::add(const StepWords &words, RichLabel &label) {
-  m_words.push_back({words.text, &label});
   label.setPictures(m_pictures);
+  m_labels.push_back(&label);
+  m_filled.push_back(
+      std::make_unique<WhenSeen>(label, [this, &label, text = words.text] { label.setWords(filled(text)); }));
 }
 
 void StepBlocks::showWords(LiveValueOf valueOf) {
   m_valueOf = std::move(valueOf);
-  setWords();
+  for (const auto &words : m_filled)
+    words->renew();
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
 
-void StepBlocks::setWords() {
-  if (!m_valueOf)
-    return;
-  for (const auto &[words, label] : m_words)
-    if (wouldBeSeen(*label))
-      label->setWords(filledIn(words.markdown(), m_valueOf));
-  for (const auto &[instruction, now, answer, row] : m_tasks)
-    if (wouldBeSeen(*row))
-      row->setWords(filledIn(instruction.markdown(), m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
+FilledMarkdown StepBlocks::filled(const MarkdownText &words) const {
+  return filledIn(words.markdown(), m_valueOf);
 }
 
 Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const MarkdownText &words) const {
-  return Lazy<FilledMarkdown>([this, words] { return filledIn(words.markdown(), m_valueOf); });
-}
-
-void StepBlocks::showEvent(QShowEvent *event) {
-  setWords();
-  QWidget::showEvent(event);
+  return Lazy<FilledMarkdown>([this, words] { return filled(words); });
 }
 
 void StepBlocks::setTaskStates(const std::vector<TaskState> &states) {
   for (std::size_t i = 0; i < m_tasks.size(); ++i)
-    m_tasks[i].row->setState(i < states.size() ? states[i] : TaskState::Open);
-  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const SetTask &task) {
-    return task.row->state() == TaskState::Open || task.row->state() == TaskState::HoldsAlready;
+    m_tasks[i]->setState(i < states.size() ? states[i] : TaskState::Open);
+  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const TaskRow *task) {
+    return task->state() == TaskState::Open || task->state() == TaskState::HoldsAlready;
   });
-  const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : due->row;
+  const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : *due;
   const TaskRow *before = std::exchange(m_dueTask, now);
   if (states.empty() || !before || before == now)
     return;
@@ -114,20 +106,20 @@ void StepBlocks::setAnswer(const std::optional<GivenAnswer> &answer) {
 
 void StepBlocks::setHeld(bool held) {
   m_flight.setHeld(held);
-  for (const SetWords &words : m_words)
-    words.label->setHeld(held);
-  for (const SetTask &task : m_tasks)
-    task.row->setHeld(held);
+  for (RichLabel *label : m_labels)
+    label->setHeld(held);
+  for (TaskRow *task : m_tasks)
+    task->setHeld(held);
   m_working.setHeld(held);
 }
 
 void StepBlocks::setTheme(const Theme &theme) {
-  for (const SetWords &words : m_words)
-    words.label->setInk(theme.ink, theme);
+  for (RichLabel *label : m_labels)
+    label->setInk(theme.ink, theme);
   for (NoteFold *note : m_notes)
     note->setTheme(theme);
-  for (const SetTask &task : m_tasks)
-    task.row->setTheme(theme);
+  for (TaskRow *task : m_tasks)
+    task->setTheme(theme);
   m_flight.setTheme(theme);
   if (m_prediction)
     m_prediction->setTheme(theme);

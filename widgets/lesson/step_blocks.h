@@ -5,6 +5,7 @@
 #include "widgets/lesson/flight_blocks.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/lesson/task_row.h"
+#include "widgets/when_seen.h"
 
 namespace halfspace {
 
@@ -38,9 +39,6 @@ signals:
   /// A part has something new to read: it is to be in view.
   void reached(const QWidget *part);
 
-protected:
-  void showEvent(QShowEvent *event) override;
-
 private:
   [[nodiscard]] QWidget *blockOf(const StepWords &words);
   [[nodiscard]] QWidget *blockOf(const StepLines &lines);
@@ -52,30 +50,18 @@ private:
   }
   /// A label is to show these words.
   void add(const StepWords &words, RichLabel &label);
-  /// Of all that would be seen.
-  void setWords();
+  [[nodiscard]] FilledMarkdown filled(const MarkdownText &words) const;
   [[nodiscard]] Lazy<FilledMarkdown> filledWhenSeen(const MarkdownText &words) const;
-
-  /// Words with the label that they are set in.
-  struct SetWords {
-    MarkdownText words;
-    RichLabel *label;
-  };
-  struct SetTask {
-    MarkdownText instruction;
-    MarkdownText now;
-    MarkdownText answer;
-    TaskRow *row;
-  };
 
   const Typesetter &m_typesetter;
   LessonPictures m_pictures;
   StepWorking &m_working;
   FlightBlocks &m_flight;
-  LiveValueOf m_valueOf; ///< empty before the first are shown
-  std::vector<SetWords> m_words;
+  LiveValueOf m_valueOf;                           ///< empty before the first are shown
+  std::vector<std::unique_ptr<WhenSeen>> m_filled; ///< the words of labels and tasks
+  std::vector<RichLabel *> m_labels;
   std::vector<NoteFold *> m_notes;
-  std::vector<SetTask> m_tasks;
+  std::vector<TaskRow *> m_tasks;
   const TaskRow *m_dueTask = nullptr;    ///< null while none is known, or all are done
   PredictionBox *m_prediction = nullptr; ///< null in steps without one
 };

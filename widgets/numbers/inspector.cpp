@@ -188,20 +188,9 @@ void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
   m_results.push_back({{}, &row->value()});
 }
 
-void Inspector::showSession() {
-  m_isStale = true;
-  if (isVisible())
-    writeRows();
-}
-
-void Inspector::showEvent(QShowEvent *event) {
-  if (m_isStale)
-    writeRows();
-  QScrollArea::showEvent(event);
-}
+void Inspector::showSession() { m_rows.renew(); }
 
 void Inspector::writeRows() {
-  m_isStale = false;
   auto ids = coordinatesOf(m_model.session().scene);
   ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.evaluation());

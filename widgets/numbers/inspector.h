@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/numbers/coordinate_rows.h"
+#include "widgets/when_seen.h"
 
 #include <QScrollArea>
 
@@ -31,9 +32,6 @@ public:
   /// The fields of what is given; none before they were seen for the first time.
   [[nodiscard]] CoordinateRows &given() { return m_given; }
 
-protected:
-  void showEvent(QShowEvent *event) override;
-
 private:
   struct ResultRow {
     std::string id; ///< as ShownValue says
@@ -52,12 +50,12 @@ private:
   CoordinateRows m_given;
   Theme m_theme;
   bool m_resultsHidden = false;
-  bool m_isStale = true; ///< nobody has seen the session as it is
   std::vector<ResultRow> m_results;
   std::vector<MathLabel *> m_resultLabels;
   QVBoxLayout *m_layout = nullptr;
   QWidget *m_resultsBox = nullptr;
   QLabel *m_complaint = nullptr;
+  WhenSeen m_rows{*this, [this] { writeRows(); }};
 };
 
 } // namespace halfspace

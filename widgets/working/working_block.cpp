@@ -4,7 +4,6 @@
 #include "widgets/speak_by.h"
 #include "widgets/working/copy_lines.h"
 #include "widgets/working/typeset_lines.h"
-#include "widgets/would_be_seen.h"
 
 #include <QAccessibleWidget>
 #include <QApplication>
@@ -74,9 +73,8 @@ void WorkingBlock::setWorking(const Working &working, Fade fade, LineRemarks rem
   m_lines = ShownLines(working, shown, std::move(fade));
   const bool saysMore = remarks != m_remarks;
   m_remarks = std::move(remarks);
-  if (!wouldBeSeen(*this))
-    return m_layout.clear(); // they are set in type once somebody sees them
-  showLines();
+  if (!m_typeset.renew())
+    return m_layout.clear(); // what stood there is not shown any more
   if (saysMore)
     m_blanks.followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
 }
@@ -156,9 +154,7 @@ void WorkingBlock::resizeEvent(QResizeEvent *) {
 bool WorkingBlock::event(QEvent *event) {
   // A field has another size, or may have got one while nobody saw it, of which nothing is told.
   const bool mayChangeFields = event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show;
-  const bool comesIntoSight = (event->type() == QEvent::Show || event->type() == QEvent::ShowToParent) &&
-                              m_layout.lines().empty() && wouldBeSeen(*this);
-  if (event->type() == QEvent::FontChange || (mayChangeFields && !m_blanks.isEmpty()) || comesIntoSight)
+  if (event->type() == QEvent::FontChange || (mayChangeFields && !m_blanks.isEmpty()))
     showLines();
   return QWidget::event(event);
 }

@@ -1,6 +1,7 @@
 // Worked lines where they stand on the page.
 #pragma once
 
+#include "widgets/when_seen.h"
 #include "widgets/working/block_pointer.h"
 #include "widgets/working/paint_lines.h"
 
@@ -76,6 +77,7 @@ private:
   BlankFields m_blanks{*this, m_layout};
   CoordinateInput m_coordinates{*this, m_layout};
   BlockPointer m_pointer{*this, m_layout, m_cursor, m_blanks, m_coordinates};
+  WhenSeen m_typeset{*this, [this] { showLines(); }};
 };
 
 } // namespace halfspace
