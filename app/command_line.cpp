@@ -6,7 +6,6 @@
 #include "lessons/guess.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
-#include "widgets/picture/theme.h"
 #include "widgets/scene/offscreen.h"
 
 #include <CLI/CLI.hpp>
@@ -110,6 +109,7 @@ struct Arguments {
   ReadMeshCommand readMesh;
   OwnLessons ownLessons;
   std::string size = "1600x1000";
+  std::string theme = themes().front().name;
   int step = 0;
   std::string frame;
   std::string frames;
@@ -172,7 +172,7 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
       ->capture_default_str();
   render->add_flag("--transparent", command.transparent, words("No background"));
   render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
-  render->add_option("--theme", command.theme, words("The picture's colours"))
+  render->add_option("--theme", arguments.theme, words("The picture's colours"))
       ->type_name(themeNames("|"))
       ->capture_default_str();
   render
@@ -204,9 +204,10 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   if (!namesPng(command.output))
     return complaint(words("Pictures are written as PNG: let the name end in .png, not as “{file}” does.",
                            {{"file", command.output}}));
-  if (!findTheme(command.theme))
+  const Theme *theme = findTheme(arguments.theme);
+  if (!theme)
     return complaint(words("There is no theme “{theme}”. The themes are {themes}.",
-                           {{"theme", command.theme}, {"themes", themeNames(", ")}}));
+                           {{"theme", arguments.theme}, {"themes", themeNames(", ")}}));
   if (stepGiven && arguments.step < 1)
     return complaint(words("--step counts from 1."));
   if (framesGiven || render.count("--frame") > 0) {
@@ -222,6 +223,7 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
           words("Several frames need a place for their number in the file's name: -o frames/%04d.png."));
   }
   command.size = *size;
+  command.theme = *theme;
   if (stepGiven)
     command.step = arguments.step;
   return command;

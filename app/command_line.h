@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/picture/camera.h"
+#include "widgets/picture/theme.h"
 
 #include <optional>
 #include <string>
@@ -60,7 +61,7 @@ struct RenderCommand {
   OwnLessons ownLessons{};
   bool transparent = false;
   bool flat = false; ///< the lesson's flat picture in the place of the one in space
-  std::string theme = "light";
+  Theme theme = themes().front();
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the
                            ///< whole figure of a lesson, or, of frames, the flight's step
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last

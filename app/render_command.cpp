@@ -38,7 +38,7 @@ Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &
   View view{{}, command.size, ownPixelRatio(command.size)};
   view.camera = flatCamera(laidFlat(whole, *frame), view);
   content.figure = clippedTo(view, laidFlat(content.figure, *frame));
-  return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
+  return drawFlat(content, command.theme, view, command.transparent, typesetter);
 }
 
 /// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
@@ -103,7 +103,7 @@ public:
     request.content = contentOf(m_command, m_opened, evaluation, m_setting.stage);
     request.labelledLike = m_setting.beginning;
     request.camera = m_setting.camera;
-    request.theme = *findTheme(m_command.theme);
+    request.theme = m_command.theme;
     request.size = m_command.size;
     request.transparent = m_command.transparent;
     if (m_command.flat)
