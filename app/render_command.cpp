@@ -7,7 +7,7 @@
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
-#include "widgets/picture/flat_page.h"
+#include "widgets/picture/flat_picture.h"
 #include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
@@ -26,19 +26,21 @@ const LessonStep &stepAt(const OpenedSession &opened, int counted) {
   return opened.lesson->steps[static_cast<std::size_t>(counted - 1)];
 }
 
-/// The flat picture of a figure that is on its stage; why there is none.
-Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &opened, const Figure &whole,
-                             SceneContent content, const Typesetter &typesetter) {
-  const auto frame = opened.lesson && opened.lesson->flat
-                         ? flatFrame(*opened.lesson->flat, opened.session.scene)
-                         : std::nullopt;
+/// What is shown of a scene.
+Figure figureShown(const RenderCommand &command, const OpenedSession &opened, const Evaluation &evaluation) {
+  return command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : figureOf(evaluation);
+}
+
+/// The flat picture of a scene; why there is none.
+Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
+                             const Evaluation &evaluation, const Stage &stage, const Typesetter &typesetter) {
+  const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
   if (!frame)
     return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
                    "--flat"};
-  View view{{}, command.size, ownPixelRatio(command.size)};
-  view.camera = flatCamera(laidFlat(whole, *frame), view);
-  content.figure = clippedTo(view, laidFlat(content.figure, *frame));
-  return drawFlat(content, command.theme, view, command.transparent, typesetter);
+  const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(command, opened, evaluation));
+  const View view = picture.fitted({{}, command.size, ownPixelRatio(command.size)});
+  return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, typesetter);
 }
 
 /// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
@@ -68,14 +70,13 @@ std::optional<int> stepOfFile(const OpenedSession &opened) {
   return std::min(opened.session.step + 1, static_cast<int>(opened.lesson->steps.size()));
 }
 
-/// What is shown of a scene.
+/// The picture of a scene in space.
 SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened,
                        const Evaluation &evaluation, const Stage &stage) {
   SceneContent content;
   content.stage = stage;
   content.hasShadows = !opened.lesson || opened.lesson->hasShadows;
-  content.figure = toStage(
-      command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : figureOf(evaluation), stage);
+  content.figure = toStage(figureShown(command, opened, evaluation), stage);
   return content;
 }
 
@@ -99,6 +100,8 @@ public:
   }
 
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) {
+    if (m_command.flat)
+      return drawFlatly(m_command, m_opened, evaluation, m_setting.stage, m_typesetter);
     PictureRequest request;
     request.content = contentOf(m_command, m_opened, evaluation, m_setting.stage);
     request.labelledLike = m_setting.beginning;
@@ -106,9 +109,6 @@ public:
     request.theme = m_command.theme;
     request.size = m_command.size;
     request.transparent = m_command.transparent;
-    if (m_command.flat)
-      return drawFlatly(m_command, m_opened, toStage(figureOf(evaluation), m_setting.stage), request.content,
-                        m_typesetter);
     if (!m_setting.beginning)
       tellWhereOverfull(request.content.figure);
     return m_painter.draw(request);

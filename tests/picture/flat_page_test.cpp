@@ -1,6 +1,7 @@
 #include "widgets/picture/flat_page.h"
 
 #include "lessons/object/drawing.h"
+#include "widgets/picture/flat_picture.h"
 #include "widgets/picture/shapes/flat_shapes.h"
 
 #include <glm/geometric.hpp>
@@ -101,13 +102,11 @@ TEST(FlatPicture, OfAPlaneThatIsNotEdgeOn_IsItsFace) {
 
 TEST(FlatPicture, OfItsLesson_ShowsAllPointsButNoPlaneBeyondItsSides) {
   const Evaluation evaluation = evaluate(lesson().scene);
-  const FlatFrame frame = flatFrame(lesson().flat.value(), lesson().scene).value();
-  const Figure flat = laidFlat(figureOf(evaluation), frame);
-  View view{{}, {300, 220}, 0.8};
-  view.camera = flatCamera(flat, view);
-  EXPECT_TRUE(showsAll(flat, view));
-  const Figure clipped = clippedTo(view, flat);
-  const auto line = markIn<SegmentMark>(clipped, "G");
+  const Figure whole = figureOf(evaluation);
+  const FlatPicture flat(flatFrame(lesson().flat, lesson().scene).value(), {}, whole, whole);
+  const View view = flat.fitted({{}, {300, 220}, 0.8});
+  EXPECT_TRUE(flat.isInView(view));
+  const auto line = markIn<SegmentMark>(flat.seenFrom(view).figure, "G");
   for (const Place &end : {line.from, line.to}) {
     const glm::dvec3 pixel = view.camera.project(end, view.size).value();
     EXPECT_GE(pixel.x, -1e-9);
@@ -117,8 +116,7 @@ TEST(FlatPicture, OfItsLesson_ShowsAllPointsButNoPlaneBeyondItsSides) {
 
 TEST(FlatPicture, TurnsRightAnglesOfTheFigureIntoRightAngles) {
   const Evaluation evaluation = evaluate(lesson().scene);
-  const Figure flat =
-      laidFlat(figureOf(evaluation), flatFrame(lesson().flat.value(), lesson().scene).value());
+  const Figure flat = laidFlat(figureOf(evaluation), flatFrame(lesson().flat, lesson().scene).value());
   int corners = 0;
   for (const Mark &mark : flat.marks)
     if (const auto *corner = std::get_if<RightAngleMark>(&mark)) {
@@ -133,7 +131,7 @@ TEST(FlatPicture, TurnsRightAnglesOfTheFigureIntoRightAngles) {
 TEST(FlatShapes, OfALesson_LieFromFacesOverLinesToPoints_AndHaveASize) {
   const Evaluation evaluation = evaluate(lesson().scene);
   SceneContent content;
-  content.figure = laidFlat(figureOf(evaluation), flatFrame(lesson().flat.value(), lesson().scene).value());
+  content.figure = laidFlat(figureOf(evaluation), flatFrame(lesson().flat, lesson().scene).value());
   View view{{}, {300, 220}, 0.8};
   view.camera = flatCamera(content.figure, view);
   const std::vector<FlatShape> shapes = flatShapes(content, themes().front(), view);

@@ -7,7 +7,7 @@
 #include "tests/test_name.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
-#include "widgets/picture/flat_page.h"
+#include "widgets/picture/flat_picture.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/picture/screen_shapes.h"
@@ -416,11 +416,11 @@ Page flatPageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme
                 double ratio) {
   const Evaluation evaluation = evaluate(lesson.scene);
   const Figure whole = figureOf(evaluation);
-  const FlatFrame frame = flatFrame(*lesson.flat, lesson.scene).value();
+  const FlatPicture flat(flatFrame(lesson.flat, lesson.scene).value(), {}, whole,
+                         shownIn(step, evaluation, whole).figure);
   Page page{theme};
-  page.view = {{}, {static_cast<int>(size.x), static_cast<int>(size.y)}, ratio, {}};
-  page.view.camera = flatCamera(laidFlat(whole, frame), page.view);
-  page.content.figure = clippedTo(page.view, laidFlat(shownIn(step, evaluation, whole).figure, frame));
+  page.view = flat.fitted({{}, {static_cast<int>(size.x), static_cast<int>(size.y)}, ratio});
+  page.content = flat.seenFrom(page.view);
   placeLabels(page, std::nullopt);
   return page;
 }

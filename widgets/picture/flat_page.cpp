@@ -145,9 +145,11 @@ std::optional<FlatFrame> flatFrame(const ExactVec3 &up, const ExactVec3 &right) 
   return frame;
 }
 
-std::optional<FlatFrame> flatFrame(const FlatPage &page, const Scene &scene) {
-  const ExactVec3 *up = vectorIn(scene, page.up);
-  const ExactVec3 *right = vectorIn(scene, page.right);
+std::optional<FlatFrame> flatFrame(const std::optional<FlatPage> &page, const Scene &scene) {
+  if (!page)
+    return {};
+  const ExactVec3 *up = vectorIn(scene, page->up);
+  const ExactVec3 *right = vectorIn(scene, page->right);
   return up && right ? flatFrame(*up, *right) : std::nullopt;
 }
 

@@ -22,8 +22,8 @@ struct FlatFrame {
 /// along one line (or the second is zero) any page along them will do. Nothing for a zero `up`.
 [[nodiscard]] std::optional<FlatFrame> flatFrame(const ExactVec3 &up, const ExactVec3 &right);
 
-/// That of a lesson's scene; nothing where the scene does not have both directions any more.
-[[nodiscard]] std::optional<FlatFrame> flatFrame(const FlatPage &page, const Scene &scene);
+/// That of a lesson's scene; nothing where the lesson has none, or the scene not both directions any more.
+[[nodiscard]] std::optional<FlatFrame> flatFrame(const std::optional<FlatPage> &page, const Scene &scene);
 
 /// Whatever is seen lower than this part of its width is seen as a line: far above rounding, far below a
 /// pixel.

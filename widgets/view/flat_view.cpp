@@ -3,6 +3,7 @@
 #include "lessons/scene/change_words.h"
 #include "widgets/colors.h"
 #include "widgets/mouse_place.h"
+#include "widgets/picture/hand/grips.h"
 #include "widgets/view/snapping_keys.h"
 #include "widgets/view/staged_scene.h"
 
@@ -25,7 +26,7 @@ constexpr double leastPart = 0.8;
 } // namespace
 
 FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QFrame(parent), m_model(model), m_painter(typesetter), m_theme(themes().front()), m_picture(model),
+    : QFrame(parent), m_model(model), m_painter(typesetter), m_theme(themes().front()),
       m_unfolded(new QAction(tr("Flat &Picture"), this)), m_title(new QToolButton(this)) {
   setObjectName("flatView");
   setMouseTracking(true);
@@ -80,8 +81,7 @@ bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameW
 
 void FlatView::takeOutcome() {
   const bool hadPicture = hasPicture();
-  m_picture.take(m_model.history().isHeldBy(m_held) ? &m_drag->frame()
-                                                    : nullptr); // it keeps still under the hand
+  takePicture();
   setVisible(hasPicture());
   if (hadPicture != hasPicture())
     emit sizeChanged();
@@ -90,17 +90,28 @@ void FlatView::takeOutcome() {
   if (!m_model.history().inGesture())
     describe();
   // What is held must not jump under the hand.
-  if (isOpen() && !m_drag && (!m_model.history().inGesture() || !m_picture.isInView()))
+  if (isOpen() && !m_drag && (!m_model.history().inGesture() || !m_picture->isInView(m_view)))
     fit();
   update();
+}
+
+void FlatView::takePicture() {
+  const auto frame = m_model.history().isHeldBy(m_held)
+                         ? std::optional(m_drag->frame()) // it keeps still under the hand
+                         : flatFrame(m_model.lesson().flat, m_model.session().scene);
+  m_picture.reset();
+  if (frame)
+    m_picture.emplace(*frame, m_model.stage(), m_model.figure(), m_model.shown().figure);
 }
 
 void FlatView::fit() {
   if (!isOpen() || !hasPicture())
     return;
   const double part = std::clamp(height() / (roomyHeight * m_sizeScale), leastPart, 1.0);
-  m_picture.fit({std::max(1, width()), std::max(1, height())}, m_sizeScale * smallness * part,
-                {{0, 0}, {m_title->width(), m_title->height()}});
+  m_view = m_picture->fitted({{},
+                              {std::max(1, width()), std::max(1, height())},
+                              m_sizeScale * smallness * part,
+                              {{{0, 0}, {m_title->width(), m_title->height()}}}});
 }
 
 void FlatView::describe() {
@@ -118,7 +129,7 @@ void FlatView::paintEvent(QPaintEvent *event) {
     return;
   QPainter painter(this);
   painter.setClipRect(contentsRect());
-  SceneContent content = m_picture.shown();
+  SceneContent content = m_picture->seenFrom(m_view);
   content.highlighted = m_highlighted;
   m_painter.paint(painter, content, m_theme, view());
 }
@@ -136,12 +147,12 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
     return;
   const QPointF place = mousePlace(*event);
   const glm::dvec2 at(place.x(), place.y());
-  const auto handle = m_picture.handleAt(at);
+  const auto handle = handleAt(at);
   if (!handle)
     return;
   const GestureToken held = m_model.history().beginGesture(
       QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
-  m_drag.emplace(stagedScene(m_model, m_picture.stage()), *handle, m_picture.frame(), at,
+  m_drag.emplace(stagedScene(m_model, m_picture->stage()), *handle, m_picture->frame(), at,
                  askedOf(m_model, *handle));
   m_held = held;
   grabKeyboard();
@@ -182,19 +193,27 @@ void FlatView::mouseMoveEvent(QMouseEvent *event) {
     const Rational &step = m_model.snapping().dragStep(suspendsSnapping(event->modifiers()));
     if (const auto move = m_drag->moveTo(at, step, view()))
       m_model.history().moveGesture(
-          m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture.stage())});
+          m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture->stage())});
     return;
   }
-  if (m_picture.handleAt(at))
+  if (handleAt(at))
     setCursor(Qt::OpenHandCursor);
   else
     unsetCursor();
-  hover(m_picture.markAt(at));
+  hover(m_picture->markAt(at, m_view));
 }
 
 void FlatView::leaveEvent(QEvent *event) {
   hover({});
   QFrame::leaveEvent(event);
+}
+
+std::optional<Handle> FlatView::handleAt(glm::dvec2 pixel) const {
+  const std::string upwards = fullName(m_model.session().scene, m_model.lesson().flat->up);
+  const std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_picture->stage()));
+  const Handle *handle =
+      handleOnPage(pixel, handles, upwards, m_picture->frame(), m_view, missMargin * m_view.pixelRatio);
+  return handle ? std::optional(*handle) : std::nullopt;
 }
 
 void FlatView::hover(const std::string &mark) {

@@ -1,9 +1,10 @@
 // The flat picture beside the scene: the same marks, seen from the one side from which their shapes are true.
 #pragma once
 
+#include "widgets/picture/flat_picture.h"
 #include "widgets/picture/hand/flat_drag.h"
+#include "widgets/session_model.h"
 #include "widgets/typeset/flat_painter.h"
-#include "widgets/view/flat_picture.h"
 
 #include <QFrame>
 
@@ -26,15 +27,15 @@ public:
   void setHighlighted(const std::set<std::string> &markIds);
 
   /// Whether the open lesson has a flat picture, and its scene what that is made of.
-  [[nodiscard]] bool hasPicture() const { return m_picture.isThere(); }
+  [[nodiscard]] bool hasPicture() const { return m_picture.has_value(); }
   /// Checked while the picture is unfolded.
   [[nodiscard]] QAction &unfolded() { return *m_unfolded; }
   /// What it takes of so much room.
   [[nodiscard]] QSize sizeIn(const QSize &room) const;
 
-  /// What is drawn now, and from where.
-  [[nodiscard]] const Figure &figure() const { return m_picture.figure(); }
-  [[nodiscard]] const View &view() const { return m_picture.view(); }
+  /// What is drawn now, while it has a picture, and from where.
+  [[nodiscard]] const Figure &figure() const { return m_picture->figure(); }
+  [[nodiscard]] const View &view() const { return m_view; }
 
 signals:
   void markHovered(const QString &markId); ///< empty: none
@@ -54,8 +55,11 @@ private:
   /// Whether there is more of it than its title: unfolded, and not too little room for that.
   [[nodiscard]] bool isOpen() const;
   void takeOutcome();
+  void takePicture();
   void fit();
   void describe();
+  /// The handle at a pixel that can be moved there; nothing for none.
+  [[nodiscard]] std::optional<Handle> handleAt(glm::dvec2 pixel) const;
   void hover(const std::string &mark);
   void letGo();
 
@@ -63,7 +67,8 @@ private:
   FlatPainter m_painter;
   Theme m_theme;
   double m_sizeScale = 1;
-  FlatPicture m_picture;
+  std::optional<FlatPicture> m_picture;
+  View m_view;
   std::set<std::string> m_highlighted;
   std::string m_hovered; ///< a mark's id
   std::optional<FlatDrag> m_drag;
