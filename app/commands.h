@@ -9,7 +9,7 @@ namespace halfspace {
 /// Each returns the program's exit status: 0, or exitRefused after one sentence on standard error.
 [[nodiscard]] int runLessons(const LessonsCommand &command);
 [[nodiscard]] int runExplain(const ExplainCommand &command);
-[[nodiscard]] int runRender(RenderCommand command);
+[[nodiscard]] int runRender(const RenderCommand &command);
 
 /// Writes a lesson file that `check` finds nothing wrong with; one that is there already stays as it is.
 [[nodiscard]] int runNewLesson(const NewLessonCommand &command);

@@ -1,6 +1,7 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
 #include "app/standard_streams.h"
+#include "lessons/lesson/nearest_step.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
@@ -22,23 +23,44 @@
 namespace halfspace {
 namespace {
 
-const LessonStep &stepAt(const OpenedSession &opened, int counted) {
-  return opened.lesson->steps[static_cast<std::size_t>(counted - 1)];
+/// The last step that shows the lesson's flight; null where it has none.
+const LessonStep *stepOfFlight(const OpenedSession &opened) {
+  const LessonStep *last = nullptr;
+  if (opened.lesson)
+    for (const LessonStep &step : opened.lesson->steps)
+      if (flightOf(step))
+        last = &step;
+  return last;
 }
 
-/// What is shown of a scene.
-Figure figureShown(const RenderCommand &command, const OpenedSession &opened, const Evaluation &evaluation) {
-  return command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : figureOf(evaluation);
+/// The step that the pictures show, null for the whole figure; or that the lesson does not have it.
+Result<const LessonStep *> stepToShow(const RenderCommand &command, const OpenedSession &opened) {
+  const Lesson *lesson = opened.lesson;
+  const std::size_t steps = lesson ? lesson->steps.size() : 0;
+  if (command.step && static_cast<std::size_t>(*command.step) > steps)
+    return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0,
+                   "--step"};
+  if (command.step)
+    return &stepOf(*lesson, *command.step - 1);
+  if (const LessonStep *step = command.frames ? stepOfFlight(opened) : nullptr)
+    return step;
+  return lesson && opened.text ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
+}
+
+/// What is shown of a scene: by a step, or the whole of it.
+Figure figureShown(const LessonStep *step, const Evaluation &evaluation) {
+  return step ? shownIn(*step, evaluation).figure : figureOf(evaluation);
 }
 
 /// The flat picture of a scene; why there is none.
 Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
-                             const Evaluation &evaluation, const Stage &stage, const Typesetter &typesetter) {
+                             const LessonStep *step, const Evaluation &evaluation, const Stage &stage,
+                             const Typesetter &typesetter) {
   const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
   if (!frame)
     return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
                    "--flat"};
-  const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(command, opened, evaluation));
+  const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
   const View view = picture.fitted({{}, command.size, ownPixelRatio(command.size)});
   return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, typesetter);
 }
@@ -46,37 +68,33 @@ Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &
 /// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
 /// stand where they stand at its beginning.
 struct Setting {
+  const LessonStep *step = nullptr; ///< that they show; null: the whole figure
   Stage stage;
   Camera camera;
   std::optional<SceneContent> beginning;
 };
 
-Setting settingOf(const RenderCommand &command, const OpenedSession &opened, const Evaluation &evaluation) {
+Setting settingOf(const RenderCommand &command, const OpenedSession &opened, const LessonStep *step,
+                  const Evaluation &evaluation) {
   const Scene &scene = opened.session.scene;
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
   if (opened.session.view) // where somebody had put the camera when the session was saved
-    return {stage, cameraOf(*opened.session.view), {}};
-  return {stage,
+    return {step, stage, cameraOf(*opened.session.view), {}};
+  return {step,
+          stage,
           homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
                    ownPixelRatio(command.size)),
           {}};
 }
 
-/// The step that a session's file was left at; nothing for a lesson, whose whole figure is drawn.
-std::optional<int> stepOfFile(const OpenedSession &opened) {
-  if (!opened.text || !opened.lesson)
-    return {};
-  return std::min(opened.session.step + 1, static_cast<int>(opened.lesson->steps.size()));
-}
-
 /// The picture of a scene in space.
-SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened,
-                       const Evaluation &evaluation, const Stage &stage) {
+SceneContent contentOf(const OpenedSession &opened, const LessonStep *step, const Evaluation &evaluation,
+                       const Stage &stage) {
   SceneContent content;
   content.stage = stage;
   content.hasShadows = !opened.lesson || opened.lesson->hasShadows;
-  content.figure = toStage(figureShown(command, opened, evaluation), stage);
+  content.figure = toStage(figureShown(step, evaluation), stage);
   return content;
 }
 
@@ -94,16 +112,16 @@ public:
 
   /// From now on pictures show what came after this: their labels stand where they stand in it.
   void begin(const Evaluation &evaluation) {
-    m_setting.beginning = contentOf(m_command, m_opened, evaluation, m_setting.stage);
+    m_setting.beginning = contentOf(m_opened, m_setting.step, evaluation, m_setting.stage);
     if (!m_command.flat)
       tellWhereOverfull(m_setting.beginning->figure);
   }
 
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) {
     if (m_command.flat)
-      return drawFlatly(m_command, m_opened, evaluation, m_setting.stage, m_typesetter);
+      return drawFlatly(m_command, m_opened, m_setting.step, evaluation, m_setting.stage, m_typesetter);
     PictureRequest request;
-    request.content = contentOf(m_command, m_opened, evaluation, m_setting.stage);
+    request.content = contentOf(m_opened, m_setting.step, evaluation, m_setting.stage);
     request.labelledLike = m_setting.beginning;
     request.camera = m_setting.camera;
     request.theme = m_command.theme;
@@ -122,20 +140,10 @@ private:
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };
 
-/// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.
-std::optional<int> stepOfFlight(const OpenedSession &opened) {
-  std::optional<int> last;
-  if (opened.lesson)
-    for (std::size_t i = 0; i < opened.lesson->steps.size(); ++i)
-      if (flightOf(opened.lesson->steps[i]))
-        last = static_cast<int>(i) + 1;
-  return last;
-}
-
 /// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
 std::optional<std::string> frameNumberOf(const OpenedSession &opened) {
-  const auto step = stepOfFlight(opened);
-  return step ? std::optional(flightOf(stepAt(opened, *step))->frame) : std::nullopt;
+  const LessonStep *step = stepOfFlight(opened);
+  return step ? std::optional(flightOf(*step)->frame) : std::nullopt;
 }
 
 /// The frame that is nearest to the wanted one, with which the scene is now.
@@ -146,13 +154,6 @@ Rational goToFrame(const Rational &wanted, const std::string &name, Scene &scene
   const Rational frame = number[0].x;
   setObject(scene, name, std::move(number));
   return frame;
-}
-
-std::optional<Problem> refuseStep(const RenderCommand &command, const OpenedSession &opened) {
-  const auto steps = opened.lesson ? opened.lesson->steps.size() : 0;
-  if (!command.step || static_cast<std::size_t>(*command.step) <= steps)
-    return {};
-  return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"};
 }
 
 /// frames/0007.png for the frame 7 of frames/%04d.png.
@@ -199,19 +200,16 @@ std::optional<Problem> writePicture(const RenderCommand &command, const Evaluati
 
 } // namespace
 
-int runRender(RenderCommand command) {
+int runRender(const RenderCommand &command) {
   LessonLibrary library;
   auto opened = openSubject(library, command.subject, command.ownLessons, command.assignments);
   if (!opened)
     return fail(opened.problem());
-  if (const auto refused = refuseStep(command, *opened))
-    return fail(*refused);
-  if (command.frames && !command.step)
-    command.step = stepOfFlight(*opened);
-  if (!command.step)
-    command.step = stepOfFile(*opened);
+  const auto step = stepToShow(command, *opened);
+  if (!step)
+    return fail(step.problem());
   Evaluation evaluation = evaluate(opened->session.scene);
-  CommandPainter painter(command, *opened, settingOf(command, *opened, evaluation));
+  CommandPainter painter(command, *opened, settingOf(command, *opened, *step, evaluation));
   const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), painter)
                                       : writePicture(command, evaluation, painter);
   return problem ? fail(*problem) : 0;
