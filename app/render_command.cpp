@@ -17,7 +17,7 @@
 #include "widgets/typeset/typesetter.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <memory>
 #include <utility>
 
 namespace halfspace {
@@ -52,93 +52,104 @@ Figure figureShown(const LessonStep *step, const Evaluation &evaluation) {
   return step ? shownIn(*step, evaluation).figure : figureOf(evaluation);
 }
 
-/// The flat picture of a scene; why there is none.
-Result<RgbaImage> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
-                             const LessonStep *step, const Evaluation &evaluation, const Stage &stage,
-                             const Typesetter &typesetter) {
-  const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
-  if (!frame)
-    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
-                   "--flat"};
-  const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
-  const View view = picture.fitted({{}, command.size, ownPixelRatio(command.size)});
-  return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, typesetter);
-}
-
-/// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
-/// stand where they stand at its beginning.
-struct Setting {
-  const LessonStep *step = nullptr; ///< that they show; null: the whole figure
+/// What the pictures of a command are of.
+struct Motif {
+  const RenderCommand &command;
+  const OpenedSession &opened; ///< with the scene of the picture that comes next
+  const LessonStep *step;      ///< that they show; null: the whole figure
   Stage stage;
-  Camera camera;
-  std::optional<SceneContent> beginning;
 };
 
-Setting settingOf(const RenderCommand &command, const OpenedSession &opened, const LessonStep *step,
-                  const Evaluation &evaluation) {
-  const Scene &scene = opened.session.scene;
-  const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
-  const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
-  if (opened.session.view) // where somebody had put the camera when the session was saved
-    return {step, stage, cameraOf(*opened.session.view), {}};
-  return {step,
-          stage,
-          homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
-                   ownPixelRatio(command.size)),
-          {}};
-}
-
-/// The picture of a scene in space.
-SceneContent contentOf(const OpenedSession &opened, const LessonStep *step, const Evaluation &evaluation,
-                       const Stage &stage) {
-  SceneContent content;
-  content.stage = stage;
-  content.hasShadows = !opened.lesson || opened.lesson->hasShadows;
-  content.figure = toStage(figureShown(step, evaluation), stage);
-  return content;
-}
-
-/// Of a flight once, by its beginning.
-void tellWhereOverfull(const Figure &figure) {
-  if (isOverfull(figure))
-    printError(overfullWords());
-}
-
-/// Draws the pictures of a command.
-class CommandPainter {
+/// The pictures of a command, which are drawn one after the other.
+class Pictures {
 public:
-  CommandPainter(const RenderCommand &command, const OpenedSession &opened, Setting setting)
-      : m_command(command), m_opened(opened), m_setting(std::move(setting)) {}
+  virtual ~Pictures() = default;
+  /// From now on they show what came after this.
+  virtual void begin(const Evaluation &evaluation) = 0;
+  [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
+};
 
-  /// From now on pictures show what came after this: their labels stand where they stand in it.
-  void begin(const Evaluation &evaluation) {
-    m_setting.beginning = contentOf(m_opened, m_setting.step, evaluation, m_setting.stage);
-    if (!m_command.flat)
-      tellWhereOverfull(m_setting.beginning->figure);
+/// Flat pictures; each is laid on its page by itself.
+class FlatPictures : public Pictures {
+public:
+  explicit FlatPictures(const Motif &motif) : m_motif(motif) {}
+
+  void begin(const Evaluation &) override {}
+  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
+    const auto &[command, opened, step, stage] = m_motif;
+    const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
+    if (!frame)
+      return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
+                     "--flat"};
+    const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
+    const View view = picture.fitted({{}, command.size, ownPixelRatio(command.size)});
+    return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, m_typesetter);
   }
 
-  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) {
-    if (m_command.flat)
-      return drawFlatly(m_command, m_opened, m_setting.step, evaluation, m_setting.stage, m_typesetter);
+private:
+  Motif m_motif;
+  Typesetter m_typesetter;
+};
+
+/// Where a scene is looked at from: as somebody had put the camera when the session was saved, or as its
+/// lesson begins.
+Camera cameraFor(const Motif &motif, const Evaluation &evaluation) {
+  const auto &[command, opened, step, stage] = motif;
+  if (opened.session.view)
+    return cameraOf(*opened.session.view);
+  return homeView(opened.lesson ? opened.lesson->camera : CameraView(), toStage(figureOf(evaluation), stage),
+                  stage.hasAxes(), command.size, ownPixelRatio(command.size));
+}
+
+/// Pictures in space: those of a flight are seen from one place, and their labels stand where they stand at
+/// its beginning.
+class SpacePictures : public Pictures {
+public:
+  SpacePictures(const Motif &motif, const Camera &camera) : m_motif(motif), m_camera(camera) {}
+
+  void begin(const Evaluation &evaluation) override {
+    m_beginning = contentOf(evaluation);
+    tellWhereOverfull(*m_beginning);
+  }
+  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
     PictureRequest request;
-    request.content = contentOf(m_opened, m_setting.step, evaluation, m_setting.stage);
-    request.labelledLike = m_setting.beginning;
-    request.camera = m_setting.camera;
-    request.theme = m_command.theme;
-    request.size = m_command.size;
-    request.transparent = m_command.transparent;
-    if (!m_setting.beginning)
-      tellWhereOverfull(request.content.figure);
+    request.content = contentOf(evaluation);
+    request.labelledLike = m_beginning;
+    request.camera = m_camera;
+    request.theme = m_motif.command.theme;
+    request.size = m_motif.command.size;
+    request.transparent = m_motif.command.transparent;
+    if (!m_beginning)
+      tellWhereOverfull(request.content);
     return m_painter.draw(request);
   }
 
 private:
-  const RenderCommand &m_command;
-  const OpenedSession &m_opened;
-  Setting m_setting;
+  [[nodiscard]] SceneContent contentOf(const Evaluation &evaluation) const {
+    SceneContent content;
+    content.stage = m_motif.stage;
+    content.hasShadows = !m_motif.opened.lesson || m_motif.opened.lesson->hasShadows;
+    content.figure = toStage(figureShown(m_motif.step, evaluation), m_motif.stage);
+    return content;
+  }
+  /// Of a flight once, by its beginning.
+  static void tellWhereOverfull(const SceneContent &content) {
+    if (isOverfull(content.figure))
+      printError(overfullWords());
+  }
+
+  Motif m_motif;
+  Camera m_camera;
+  std::optional<SceneContent> m_beginning;
   Typesetter m_typesetter;
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };
+
+std::unique_ptr<Pictures> picturesOf(const Motif &motif, const Evaluation &evaluation) {
+  if (motif.command.flat)
+    return std::make_unique<FlatPictures>(motif);
+  return std::make_unique<SpacePictures>(motif, cameraFor(motif, evaluation));
+}
 
 /// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
 std::optional<std::string> frameNumberOf(const OpenedSession &opened) {
@@ -165,7 +176,7 @@ std::string fileOf(const NumberedFile &file, int frame) {
 
 /// Draws and writes one frame after the other.
 std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Evaluation evaluation,
-                                   CommandPainter &painter) {
+                                   Pictures &pictures) {
   const auto number = frameNumberOf(opened);
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
@@ -178,11 +189,11 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
                      "", 0, "--frame"};
   goToFrame(objectAs<NumberObject>(*findObject(scene, *number))->from, *number, scene);
   evaluation = evaluate(scene, evaluation);
-  painter.begin(evaluation);
+  pictures.begin(evaluation);
   for (int frame = first; frame <= last; ++frame) {
     goToFrame(frame, *number, scene);
     evaluation = evaluate(scene, evaluation);
-    const auto picture = painter.draw(evaluation);
+    const auto picture = pictures.draw(evaluation);
     if (!picture)
       return picture.problem();
     const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
@@ -193,8 +204,8 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
 }
 
 std::optional<Problem> writePicture(const RenderCommand &command, const Evaluation &evaluation,
-                                    CommandPainter &painter) {
-  const auto picture = painter.draw(evaluation);
+                                    Pictures &pictures) {
+  const auto picture = pictures.draw(evaluation);
   return picture ? writePng(*picture, command.output) : picture.problem();
 }
 
@@ -208,10 +219,12 @@ int runRender(const RenderCommand &command) {
   const auto step = stepToShow(command, *opened);
   if (!step)
     return fail(step.problem());
-  Evaluation evaluation = evaluate(opened->session.scene);
-  CommandPainter painter(command, *opened, settingOf(command, *opened, *step, evaluation));
-  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), painter)
-                                      : writePicture(command, evaluation, painter);
+  const Scene &scene = opened->session.scene;
+  Evaluation evaluation = evaluate(scene);
+  const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
+  const auto pictures = picturesOf({command, *opened, *step, stage}, evaluation);
+  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), *pictures)
+                                      : writePicture(command, evaluation, *pictures);
   return problem ? fail(*problem) : 0;
 }
 
