@@ -107,10 +107,7 @@ class SpacePictures : public Pictures {
 public:
   SpacePictures(const Motif &motif, const Camera &camera) : m_motif(motif), m_camera(camera) {}
 
-  void begin(const Evaluation &evaluation) override {
-    m_beginning = contentOf(evaluation);
-    tellWhereOverfull(*m_beginning);
-  }
+  void begin(const Evaluation &evaluation) override { m_beginning = contentOf(evaluation); }
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
     PictureRequest request;
     request.content = contentOf(evaluation);
@@ -119,9 +116,12 @@ public:
     request.theme = m_motif.command.theme;
     request.size = m_motif.command.size;
     request.transparent = m_motif.command.transparent;
-    if (!m_beginning)
-      tellWhereOverfull(request.content);
-    return m_painter.draw(request);
+    auto picture = m_painter.draw(request);
+    if (!picture)
+      return picture.problem();
+    if (picture->leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
+      printError(overfullWords());
+    return RgbaImage(std::move(*picture));
   }
 
 private:
@@ -132,15 +132,11 @@ private:
     content.figure = toStage(figureShown(m_motif.step, evaluation), m_motif.stage);
     return content;
   }
-  /// Of a flight once, by its beginning.
-  static void tellWhereOverfull(const SceneContent &content) {
-    if (isOverfull(content.figure))
-      printError(overfullWords());
-  }
 
   Motif m_motif;
   Camera m_camera;
   std::optional<SceneContent> m_beginning;
+  bool m_hasToldOfOverfull = false; ///< of a flight once
   Typesetter m_typesetter;
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };

@@ -35,7 +35,7 @@ struct Labels {
 inline const Labels noLabels{[](const std::string &) { return std::make_shared<const math::Layout>(); }, {}};
 
 /// By a painter of its own.
-inline Result<RgbaImage> drawOffscreen(const PictureRequest &request, const Labels &labels) {
+inline Result<DrawnPicture> drawOffscreen(const PictureRequest &request, const Labels &labels) {
   return OffscreenPainter(labels.set, labels.paint).draw(request);
 }
 

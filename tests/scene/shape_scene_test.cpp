@@ -3,7 +3,6 @@
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
 #include "widgets/picture/composer.h"
-#include "widgets/picture/shapes/surface_layers.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -175,7 +174,6 @@ vtkIdType polygonsDrawn(const SceneContent &content, bool leavesOut) {
   ShapeScene scene(noLabels.paint);
   scene.show(composer.compose());
   EXPECT_EQ(composer.compose().leavesOutSurfaces, leavesOut);
-  EXPECT_EQ(isOverfull(content.figure), leavesOut);
   vtkIdType count = 0;
   vtkActorCollection *actors = scene.renderer()->GetActors();
   actors->InitTraversal();

@@ -90,10 +90,11 @@ public:
     return words("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2.");
   }
 
-  [[nodiscard]] RgbaImage draw(const PictureRequest &request) {
-    m_scene.show(compose(request));
+  [[nodiscard]] DrawnPicture draw(const PictureRequest &request) {
+    const ShapeList &shapes = compose(request);
+    m_scene.show(shapes);
     const auto [width, height] = request.size;
-    RgbaImage picture{width, height, {}};
+    DrawnPicture picture{{width, height, {}}, shapes.leavesOutSurfaces};
     picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     const int highestStrip = std::max(1, mostPixelsAtOnce / width);
     for (int top = 0; top < height; top += highestStrip) {
@@ -135,12 +136,12 @@ OffscreenPainter::~OffscreenPainter() {
   m_thread.run([this] { m_studio.reset(); });
 }
 
-Result<RgbaImage> OffscreenPainter::draw(const PictureRequest &request) {
+Result<DrawnPicture> OffscreenPainter::draw(const PictureRequest &request) {
   const auto [width, height] = request.size;
   if (width < 1 || height < 1 || width > maxPictureSide || height > maxPictureSide)
     return problem(words("A picture of {size} pixels cannot be drawn: each side must be 1 to {most} pixels.",
                          {{"size", inWords(request.size)}, {"most", std::to_string(maxPictureSide)}}));
-  Result<RgbaImage> result = problem("");
+  Result<DrawnPicture> result = problem("");
   try {
     m_thread.run([&] { result = drawInThread(request); });
   } catch (const std::bad_alloc &) {
@@ -151,7 +152,7 @@ Result<RgbaImage> OffscreenPainter::draw(const PictureRequest &request) {
   return result;
 }
 
-Result<RgbaImage> OffscreenPainter::drawInThread(const PictureRequest &request) {
+Result<DrawnPicture> OffscreenPainter::drawInThread(const PictureRequest &request) {
   if (!m_studio) {
     auto studio = std::make_unique<Studio>(m_set, m_labels);
     if (const std::string failure = studio->failure(); !failure.empty())

@@ -3,6 +3,7 @@
 
 #include "lessons/result.h"
 #include "widgets/picture/labels/label_setter.h"
+#include "widgets/picture/rgba_image.h"
 #include "widgets/picture/scene_content.h"
 #include "widgets/scene/job_thread.h"
 
@@ -24,6 +25,11 @@ struct PictureRequest {
   std::optional<double> pixelRatio;
 };
 
+/// A picture, as large as asked, with straight alpha, rows from top to bottom.
+struct DrawnPicture : RgbaImage {
+  bool leavesOutSurfaces = false; ///< as `ShapeList` has it
+};
+
 /// The widest and highest picture that is drawn.
 inline constexpr int maxPictureSide = 16384;
 
@@ -39,13 +45,13 @@ public:
   OffscreenPainter(const OffscreenPainter &) = delete;
   OffscreenPainter &operator=(const OffscreenPainter &) = delete;
 
-  /// A picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence where no
-  /// OpenGL 3.2 is to be had, and where there is not enough memory: then the next begins anew.
-  [[nodiscard]] Result<RgbaImage> draw(const PictureRequest &request);
+  /// Fails with a sentence where no OpenGL 3.2 is to be had, and where there is not enough memory: then the
+  /// next begins anew.
+  [[nodiscard]] Result<DrawnPicture> draw(const PictureRequest &request);
 
 private:
   class Studio;
-  [[nodiscard]] Result<RgbaImage> drawInThread(const PictureRequest &request);
+  [[nodiscard]] Result<DrawnPicture> drawInThread(const PictureRequest &request);
 
   LabelSetter m_set;
   LabelPainter m_labels;

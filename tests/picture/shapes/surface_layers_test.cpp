@@ -166,29 +166,28 @@ TEST(ThinnedFigure, OfFacesInDisorder_HasNoMoreLayersThanAreDrawn) {
   std::uniform_real_distribution<double> anywhere(-1, 1);
   const auto corner = [&] { return Place(anywhere(random), anywhere(random), anywhere(random)); };
   const Figure figure = figureOf(1000, [&](int) { return polygonOf({corner(), corner(), corner()}); });
-  ASSERT_TRUE(isOverfull(figure));
-  EXPECT_FALSE(isOverfull(*thinned(figure, {})));
+  ASSERT_GT(faceLayersOf(figure), mostFaceLayers);
+  EXPECT_LE(faceLayersOf(thinned(figure, {}).value()), mostFaceLayers);
 }
 
-TEST(OverfullFigure, HasMoreLayersThanAreDrawn) {
+TEST(ThinnedFigure, IsThereWhereThereAreMoreLayersThanAreDrawn) {
   const auto walls = [](int i) { return wallAt({i, 0, 0}); };
-  EXPECT_FALSE(isOverfull(figureOf(40, walls)));
-  EXPECT_TRUE(isOverfull(figureOf(41, walls)));
-  MeshMark mesh;
-  mesh.mesh = std::make_shared<const TriangleMesh>(ballMesh(30, 15));
-  EXPECT_FALSE(isOverfull({{mesh}}));
-  mesh.mesh = std::make_shared<const TriangleMesh>(randomTriangles(1000));
-  EXPECT_TRUE(isOverfull({{mesh}}));
+  EXPECT_FALSE(thinned(figureOf(40, walls), {}));
+  EXPECT_TRUE(thinned(figureOf(41, walls), {}));
 }
 
-TEST(OverfullFigure, IsNoLessons) {
+TEST(SurfaceLayers, OfLessons_AreNoMoreThanAreDrawn) {
   const LessonLibrary library = readLessons(LESSON_FOLDER);
   ASSERT_FALSE(library.lessons.empty());
   for (const Lesson &lesson : library.lessons) {
     const Evaluation evaluation = evaluate(lesson.scene);
     const Figure figure =
         toStage(figureOf(evaluation), stageOf(lesson.scene, boundObjectsOf(lesson.scene, evaluation)));
-    EXPECT_FALSE(isOverfull(figure)) << lesson.id;
+    EXPECT_LE(faceLayersOf(figure), mostFaceLayers) << lesson.id;
+    for (const Mark &mark : figure.marks)
+      if (const auto *body = std::get_if<MeshMark>(&mark)) {
+        EXPECT_LE(meshLayersOf(*body->mesh), mostMeshLayers) << lesson.id;
+      }
     RecordProperty(lesson.id, std::to_string(faceLayersOf(figure)));
   }
 }

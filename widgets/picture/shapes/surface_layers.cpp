@@ -146,6 +146,10 @@ auto cornersIn(const std::vector<Face> &faces) {
   return [&faces](std::size_t i) -> const Corners & { return faces[i].corners; };
 }
 
+std::size_t layersOf(const std::vector<Face> &faces) {
+  return faces.size() <= mostFaceLayers ? faces.size() : layersOf(faces.size(), cornersIn(faces));
+}
+
 /// The marks of all faces that a line crosses.
 std::vector<std::size_t> stackOn(const StraightLine &line, const std::vector<Face> &faces,
                                  const std::set<std::size_t> &leftOut) {
@@ -183,10 +187,7 @@ std::set<std::size_t> marksLeftOut(std::vector<Face> faces) {
 
 } // namespace
 
-std::size_t faceLayersOf(const Figure &figure) {
-  const std::vector<Face> faces = facesOf(figure);
-  return faces.size() <= mostFaceLayers ? faces.size() : layersOf(faces.size(), cornersIn(faces));
-}
+std::size_t faceLayersOf(const Figure &figure) { return layersOf(facesOf(figure)); }
 
 std::size_t meshLayersOf(const TriangleMesh &mesh) {
   if (mesh.triangles.size() <= mostMeshLayers)
@@ -203,24 +204,14 @@ std::size_t strideFor(std::size_t meshLayers) {
 
 std::optional<Figure> thinned(const Figure &figure, const std::set<std::string> &highlighted) {
   std::vector<Face> faces = facesOf(figure);
-  if (faces.size() <= mostFaceLayers)
+  if (layersOf(faces) <= mostFaceLayers)
     return std::nullopt;
   const std::set<std::size_t> leftOut = marksLeftOut(std::move(faces));
-  if (leftOut.empty())
-    return std::nullopt;
   Figure left;
   for (std::size_t i = 0; i < figure.marks.size(); ++i)
     if (!leftOut.contains(i) || highlighted.contains(baseOf(figure.marks[i]).id))
       left.marks.push_back(figure.marks[i]);
   return left;
-}
-
-bool isOverfull(const Figure &figure) {
-  return faceLayersOf(figure) > mostFaceLayers ||
-         std::any_of(figure.marks.begin(), figure.marks.end(), [](const Mark &mark) {
-           const auto *body = std::get_if<MeshMark>(&mark);
-           return body && meshLayersOf(*body->mesh) > mostMeshLayers;
-         });
 }
 
 std::string overfullWords() {

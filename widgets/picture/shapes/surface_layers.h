@@ -37,9 +37,7 @@ inline constexpr std::size_t mostMeshLayers = 80;
 /// with it: very many of them one behind another cost as much.
 [[nodiscard]] std::optional<Figure> thinned(const Figure &figure, const std::set<std::string> &highlighted);
 
-/// Whether more surfaces of this figure lie one behind another than a picture draws; it then says
-/// `overfullWords`.
-[[nodiscard]] bool isOverfull(const Figure &figure);
+/// What is told of a picture that leaves some out (`ShapeList::leavesOutSurfaces`).
 [[nodiscard]] std::string overfullWords();
 
 } // namespace halfspace
