@@ -1,12 +1,14 @@
 // The turntable camera, as plain maths: no VTK, so that dragging and picking can be tested without a screen.
 #pragma once
 
-#include "lessons/lesson/lesson.h"
+#include "lessons/figure/mark.h"
+#include "lessons/scene/camera_view.h"
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace halfspace {
 

@@ -1,7 +1,10 @@
 // Which mark lies under a pixel.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "widgets/picture/camera.h"
+
+#include <string>
 
 namespace halfspace {
 
