@@ -29,14 +29,6 @@ std::optional<Lesson> lessonOfOurs(const std::string &id) {
   return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
 }
 
-/// The session's file of this name; nothing where there is none that can be read.
-std::optional<SessionFile> sessionFileNamed(const std::string &name) {
-  if (!namesFile({}, name))
-    return {};
-  auto file = readSessionFile(name);
-  return file ? std::optional(std::move(*file)) : std::nullopt;
-}
-
 /// All lessons of the program and of a teacher; what is wrong with some is told.
 LessonLibrary openLibrary(const OwnLessons &own) {
   LessonLibrary library = allLessons(own);
@@ -45,22 +37,28 @@ LessonLibrary openLibrary(const OwnLessons &own) {
   return library;
 }
 
+/// Gives coordinates their values.
+Result<OpenedSession> withValues(OpenedSession opened, const std::vector<std::string> &assignments) {
+  for (const std::string &assignment : assignments) {
+    auto changed = withValue(std::move(opened.session), assignment);
+    if (!changed)
+      return changed.problem();
+    opened.session = std::move(*changed);
+  }
+  return opened;
+}
+
 } // namespace
 
 Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &subject, const OwnLessons &own,
                                   const std::vector<std::string> &assignments) {
-  if (subject.ends_with(".md")) // it is its own lesson
-    return openSession(library, subject, assignments);
-  auto lesson = lessonOfOurs(subject);
-  auto file = lesson ? std::nullopt : sessionFileNamed(subject);
-  if (file)
-    lesson = lessonOfOurs(file->session.lesson);
-  if (lesson)
-    library.lessons.push_back(std::move(*lesson));
-  else
-    library = openLibrary(own);
-  return file && namesFile(library, subject) ? openSession(library, std::move(*file), assignments)
-                                             : openSession(library, subject, assignments);
+  auto opened = openSession(library, subject, [&own](const std::string &id, LessonLibrary &lessons) {
+    if (auto lesson = lessonOfOurs(id))
+      lessons.lessons.push_back(std::move(*lesson));
+    else
+      lessons = openLibrary(own);
+  });
+  return opened ? withValues(std::move(*opened), assignments) : opened;
 }
 
 int runLessons(const LessonsCommand &command) {

@@ -29,9 +29,10 @@ namespace halfspace {
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);
 
-/// Opens what a command names with the one lesson that it needs, where that is one of the program's or a file
-/// of its own; else among the program's lessons and a teacher's own. What is wrong with some is told on
-/// standard error; the others serve. `library` is empty before, and has the lessons from then on.
+/// Opens what a command names, with the one lesson that it needs, where that is one of the program's or a
+/// file of its own, else among the program's lessons and a teacher's own; and gives coordinates their values.
+/// What is wrong with some lessons is told on standard error; the others serve. `library` is empty before,
+/// and has the lessons from then on.
 [[nodiscard]] Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &subject,
                                                 const OwnLessons &own,
                                                 const std::vector<std::string> &assignments);

@@ -16,16 +16,6 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
           "", 0, ""};
 }
 
-/// Puts a lesson of a file into the library; the id.
-Result<std::string> addLessonFile(LessonLibrary &library, const std::string &file) {
-  auto lesson = readLesson(file);
-  if (!lesson)
-    return lesson.problem();
-  std::string id = lesson->id;
-  library.put(std::move(*lesson));
-  return id;
-}
-
 Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string &id) {
   const Lesson *lesson = library.find(id);
   if (!lesson)
@@ -33,20 +23,14 @@ Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string
   return OpenedSession{{lesson->id, 0, lesson->scene}, lesson, {}};
 }
 
-OpenedSession openedFile(const LessonLibrary &library, SessionFile file) {
-  const Lesson *lesson = library.find(file.session.lesson);
-  return {std::move(file.session), lesson, std::move(file.text)};
-}
-
-Result<OpenedSession> open(LessonLibrary &library, const std::string &name) {
-  if (name.ends_with(".md")) {
-    const auto id = addLessonFile(library, name);
-    return id ? openLesson(library, *id) : id.problem();
-  }
-  if (!namesFile(library, name))
-    return openLesson(library, name);
-  auto file = readSessionFile(name);
-  return file ? openedFile(library, std::move(*file)) : Result<OpenedSession>(file.problem());
+/// Its lesson stands in the library from then on.
+Result<OpenedSession> openLessonFile(LessonLibrary &library, const std::string &file) {
+  auto lesson = readLesson(file);
+  if (!lesson)
+    return lesson.problem();
+  const std::string id = lesson->id;
+  library.put(std::move(*lesson));
+  return openLesson(library, id);
 }
 
 /// Why no session can be opened at all; nothing where there are lessons.
@@ -58,38 +42,41 @@ std::optional<Problem> lackOfLessons(const LessonLibrary &library) {
              : library.problems.front();
 }
 
-Result<OpenedSession> withValues(OpenedSession opened, const std::vector<std::string> &assignments) {
-  for (const std::string &assignment : assignments) {
-    auto changed = withValue(std::move(opened.session), assignment);
-    if (!changed)
-      return changed.problem();
-    opened.session = std::move(*changed);
-  }
-  return opened;
+/// Fetches what a library without lessons needs for the lesson with an id; why there are none at all.
+std::optional<Problem> fetchFor(const std::string &id, LessonLibrary &library, const FetchLessons &fetch) {
+  if (library.lessons.empty() && fetch)
+    fetch(id, library);
+  return lackOfLessons(library);
+}
+
+/// Whether a name can be a file's alone.
+bool isPath(const std::string &name) {
+  return name.ends_with(".halfspace") || name.ends_with(".md") || name.find('/') != std::string::npos;
 }
 
 } // namespace
 
 bool namesFile(const LessonLibrary &library, const std::string &name) {
   std::error_code error;
-  return !name.empty() && !library.find(name) &&
-         (name.ends_with(".halfspace") || name.ends_with(".md") || name.find('/') != std::string::npos ||
-          std::filesystem::exists(name, error));
+  return !name.empty() && !library.find(name) && (isPath(name) || std::filesystem::exists(name, error));
 }
 
 Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
-                                  const std::vector<std::string> &assignments) {
-  const auto lack = lackOfLessons(library);
-  if (lack && !name.ends_with(".md")) // such a file is its own lesson
+                                  const FetchLessons &fetch) {
+  if (name.ends_with(".md")) // it is its own lesson
+    return openLessonFile(library, name);
+  if (!isPath(name))
+    if (const auto lack = fetchFor(name, library, fetch))
+      return *lack;
+  if (!namesFile(library, name))
+    return openLesson(library, name);
+  auto file = readSessionFile(name);
+  if (!file)
+    return file.problem();
+  if (const auto lack = fetchFor(file->session.lesson, library, fetch))
     return *lack;
-  auto opened = open(library, name);
-  return opened ? withValues(std::move(*opened), assignments) : opened;
-}
-
-Result<OpenedSession> openSession(const LessonLibrary &library, SessionFile file,
-                                  const std::vector<std::string> &assignments) {
-  const auto lack = lackOfLessons(library);
-  return lack ? Result<OpenedSession>(*lack) : withValues(openedFile(library, std::move(file)), assignments);
+  const Lesson *lesson = library.find(file->session.lesson);
+  return OpenedSession{std::move(file->session), lesson, std::move(file->text)};
 }
 
 } // namespace halfspace

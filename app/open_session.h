@@ -4,6 +4,10 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/file/session_file.h"
 
+#include <functional>
+#include <optional>
+#include <string>
+
 namespace halfspace {
 
 /// A session with the lesson that it belongs to; a file may name a lesson that is not among ours, then there
@@ -18,13 +22,13 @@ struct OpenedSession {
 /// there.
 [[nodiscard]] bool namesFile(const LessonLibrary &library, const std::string &name);
 
-/// Opens a lesson by its id, a .halfspace file or a lesson's .md file, and gives coordinates their values.
-/// The lesson of a file stands in the library from then on, also in the place of another with its id.
-[[nodiscard]] Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
-                                                const std::vector<std::string> &assignments = {});
+/// Puts lessons into a library that has none: the one with an id, or all that there are.
+using FetchLessons = std::function<void(const std::string &id, LessonLibrary &library)>;
 
-/// The same of a .halfspace file that has been read.
-[[nodiscard]] Result<OpenedSession> openSession(const LessonLibrary &library, SessionFile file,
-                                                const std::vector<std::string> &assignments);
+/// Opens a lesson by its id, a .halfspace file or a lesson's .md file. The lesson of a file stands in the
+/// library from then on, also in the place of another with its id. Where the library has no lessons yet,
+/// those that are needed are fetched.
+[[nodiscard]] Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
+                                                const FetchLessons &fetch = {});
 
 } // namespace halfspace
