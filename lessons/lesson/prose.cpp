@@ -18,7 +18,11 @@ struct Replacement {
   std::string_view to;
 };
 
-/// Commands that stand for a character, or for nothing.
+/// Commands that stand for a character, or for nothing. Formulas that are set in type have a table of many
+/// more (`symbolCommands` in widgets/formula), and other facts in it: the class of a symbol, from which its
+/// gaps follow, and signs that only a mathematical font has (⋅ and ⟂ for · and ⊥, ∘ for what is ° in a line
+/// of text). Here a sign comes with the gaps that it has in a line of text, and a command that is not in the
+/// table stays the word that it is, which reads well enough.
 constexpr std::array commands{Replacement{"cdot", "·"},       Replacement{"times", "×"},
                               Replacement{"perp", "⊥"},       Replacement{"circ", "°"},
                               Replacement{"approx", " ≈ "},   Replacement{"leq", " ≤ "},
