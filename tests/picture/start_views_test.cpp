@@ -202,7 +202,7 @@ std::vector<std::string> labelsThatMove(const Page &page) {
     Page selected = page;
     selected.content.gizmo.emplace();
     selected.content.gizmo->at = shownPlace(handle);
-    selected.content.gizmo->note = "z = 2\\text{ fixed}";
+    selected.content.gizmo->note = "\\text{$\\displaystyle z = 2$ fixed}";
     selected.content.dropLine = DropLine{toDouble(handle.at)};
     placeLabels(selected, axesAround(selected.content.figure));
     for (const LabelOnPage &label : page.labels)

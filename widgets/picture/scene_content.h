@@ -23,7 +23,7 @@ struct Gizmo {
   Place normal{};            ///< of the plane, or of the surface at the handle, for InPlane
   std::optional<Part> hot;   ///< the part under the pointer
   std::vector<Stroke> clearOf; ///< pixels that its parts keep clear of: what is seen of handles
-  std::string note;            ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
+  std::string note;            ///< LaTeX beside the handle, as `\text{$z = 7$ fixed}`; may be empty
   bool operator==(const Gizmo &) const = default;
 };
 

@@ -34,15 +34,16 @@ TEST(GizmoOf, AHandle_ShowsHowItMoves) {
 TEST(FixedNote, OfATip_TellsTheArrowsOwnNumber) {
   const Scene scene{{rayL()}};
   const Evaluation evaluation = evaluate(scene);
-  EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation), "z = 8\\text{ fixed}");
-  EXPECT_EQ(fixedNote(handle(scene, "L.r"), scene, evaluation), "r_z = 2\\text{ fixed}");
+  EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation), "\\text{$\\displaystyle z = 8$ fixed}");
+  EXPECT_EQ(fixedNote(handle(scene, "L.r"), scene, evaluation), "\\text{$\\displaystyle r_z = 2$ fixed}");
 }
 
 TEST(FixedNote, InAnotherLanguage_HasItsWordsAroundTheNumber) {
   const Scene scene{{rayL()}};
   const Evaluation evaluation = evaluate(scene);
   const SpokenToIn nobody(pseudoLanguage());
-  EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation), "\\text{⟦}z = 8\\text{ fíxéd ~~~~~⟧}");
+  EXPECT_EQ(fixedNote(handle(scene, "L.Q"), scene, evaluation),
+            "\\text{⟦$\\displaystyle z = 8$ fíxéd ~~~~~⟧}");
 }
 
 TEST(KnobsOf, AreOfHandlesWithoutAMark_LargerWhereTheHandIs) {

@@ -296,9 +296,10 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.view.viewpoint().show(NamedView::Top);
     fixture.view.handles().select("L.r");
-    QCOMPARE(fixture.view.handles().gizmo()->note, std::string("r_z = 2\\text{ fixed}")); // its height is 10
+    QCOMPARE(fixture.view.handles().gizmo()->note,
+             std::string("\\text{$\\displaystyle r_z = 2$ fixed}")); // its height is 10
     fixture.view.handles().select("L.Q");
-    QCOMPARE(fixture.view.handles().gizmo()->note, std::string("z = 8\\text{ fixed}"));
+    QCOMPARE(fixture.view.handles().gizmo()->note, std::string("\\text{$\\displaystyle z = 8$ fixed}"));
   }
 
   void hint_ofAHandThatHasDragged_saysNoMoreHowToDrag() {

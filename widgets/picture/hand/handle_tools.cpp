@@ -32,15 +32,6 @@ Gizmo::Mode gizmoMode(DragMode mode) {
   return Gizmo::Mode::None;
 }
 
-/// As LaTeX: a sentence with a formula in the place {formula}.
-std::string inWords(const std::string &sentence, const std::string &latex) {
-  constexpr std::string_view place = "{formula}";
-  const auto text = [](const std::string &part) { return part.empty() ? part : "\\text{" + part + "}"; };
-  const std::size_t at = std::min(sentence.find(place), sentence.size());
-  return text(sentence.substr(0, at)) + latex +
-         text(sentence.substr(std::min(at + place.size(), sentence.size())));
-}
-
 } // namespace
 
 Gizmo gizmoOf(const Handle &handle, std::optional<DragMode> mode) {
@@ -65,7 +56,10 @@ std::string fixedNote(const Handle &handle, const Scene &scene, const Evaluation
     symbol.isVector = false;
     symbol.subscript += symbol.subscript.empty() ? "z" : ",z";
   }
-  return inWords(words("{formula} fixed"), latexOf(symbol) + relatedLatex(Term(object[handle.coordinate].z)));
+  // Among words a fraction would be smaller than in other labels.
+  const std::string formula =
+      "$\\displaystyle " + latexOf(symbol) + relatedLatex(Term(object[handle.coordinate].z)) + "$";
+  return "\\text{" + words("{formula} fixed", {{"formula", formula}}) + "}";
 }
 
 std::vector<Knob> knobsOf(const HandleSelection &selection, const Camera &camera) {
