@@ -39,6 +39,7 @@ void SceneView::joinParts() {
   connect(&m_hold, &HandleHold::pointed, &m_drawing, &SceneDrawing::requestMoving);
   connect(&m_hold, &HandleHold::modeChanged, this, &SceneView::tellHint);
   connect(&m_hold, &HandleHold::modeChanged, &m_drawing, &SceneDrawing::requestNew);
+  connect(&m_hold, &HandleHold::caughtChanged, this, &SceneView::tellHint); // it may be another at one place
   connect(&m_handles, &SceneHandles::changed, &m_drawing, &SceneDrawing::requestNew);
   connect(&m_handles, &SceneHandles::hintChanged, this, &SceneView::tellHint);
   connect(&m_edits, &HandleEdits::refused, this, &SceneView::hint);

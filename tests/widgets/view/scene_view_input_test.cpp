@@ -275,6 +275,28 @@ private slots:
     QTRY_VERIFY(!QToolTip::isVisible());
   }
 
+  void caughtCase_isSaid_alsoWhereTheGridHadLedThereBefore() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    fixture.press(fixture.at("Q"));
+    const ExactVec3 inPlane(3, 4, 8);
+    const glm::dvec2 place(
+        *fixture.view.viewpoint().camera().project({3, 4, 8}, fixture.view.screen().size()));
+    const QPoint there(qRound(place.x), qRound(place.y));
+    bool isBesideIt = false; // on the grid, and too far away to be caught
+    for (int away = 5; away < 30 && !isBesideIt; ++away) {
+      movePointer(fixture.view, there + QPoint(away, 0), Qt::LeftButton);
+      QCoreApplication::processEvents();
+      isBesideIt = fixture.value("Q") == inPlane && lastOf(hints) != "plane E";
+    }
+    QVERIFY(isBesideIt);
+    movePointer(fixture.view, there, Qt::LeftButton);
+    QTRY_COMPARE(lastOf(hints), QString("plane E"));
+    QVERIFY(fixture.value("Q") == inPlane);
+    fixture.release(there);
+  }
+
   void history_saysInWordsWhatTheHandDid() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
