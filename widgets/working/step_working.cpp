@@ -13,7 +13,7 @@ WorkingBlock *StepWorking::addBlock() {
   auto *block = new WorkingBlock(m_typesetter);
   block->setLook(m_look);
   block->setHeld(m_held);
-  connect(block, &WorkingBlock::markHovered, this, &StepWorking::markHovered);
+  connect(block, &WorkingBlock::markHovered, this, &StepWorking::hover);
   connect(block, &WorkingBlock::traceRequested, this, &StepWorking::trace);
   connect(block, &WorkingBlock::traceDropped, this, &StepWorking::endTrace);
   connect(block, &WorkingBlock::reached, this,
@@ -35,7 +35,13 @@ void StepWorking::dropBlocks() {
     block->keys().setGoOn({});
   }
   m_blocks.clear();
-  emit markHovered({}); // the pointer is on none of their terms any more
+  if (!m_hovered.isEmpty())
+    hover({}); // the pointer is on none of their terms any more
+}
+
+void StepWorking::hover(const QString &markId) {
+  m_hovered = markId;
+  emit markHovered(markId);
 }
 
 bool StepWorking::goOn(const WorkingBlock &from, int way) {

@@ -69,10 +69,13 @@ private:
   void followTrace();
   [[nodiscard]] const Term *tracedTerm() const;
 
+  void hover(const QString &markId);
+
   const Typesetter &m_typesetter;
   std::vector<WorkingBlock *> m_blocks;
   StepCoordinates m_coordinates{m_blocks};
   WorkingLook m_look;
+  QString m_hovered; ///< the mark of a term in a block that the pointer is on; empty: none
   Working m_working;
   std::function<Working()> m_wholeWorking;
   std::optional<NumberPlace> m_tracedNumber;

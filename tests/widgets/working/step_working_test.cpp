@@ -71,9 +71,12 @@ private slots:
   void blocksThatAreDropped_leaveNoTermHovered() {
     ShownBlocks shown(tracedWorking());
     QSignalSpy hovered(&shown.lines, &StepWorking::markHovered);
+    emit shown.lines.blocks().front()->markHovered("Q");
     shown.lines.dropBlocks();
-    QCOMPARE(hovered.count(), 1);
-    QCOMPARE(hovered.front().front().toString(), QString());
+    QCOMPARE(hovered.count(), 2);
+    QCOMPARE(hovered.back().front().toString(), QString());
+    shown.lines.dropBlocks(); // nothing was hovered
+    QCOMPARE(hovered.count(), 2);
   }
 
   void lines_goToTheBlocksInTheirOrder_soManyToEach() {
