@@ -1,5 +1,6 @@
 #include "app/open_session.h"
 
+#include "lessons/lesson/lesson_start.h"
 #include "lessons/words.h"
 
 #include <utility>
@@ -20,7 +21,7 @@ Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string
   const Lesson *lesson = library.find(id);
   if (!lesson)
     return unknownLesson(library, id);
-  return OpenedSession{{lesson->id, 0, lesson->scene}, lesson, {}};
+  return OpenedSession{startOf(*lesson), lesson, {}};
 }
 
 /// Its lesson stands in the library from then on.

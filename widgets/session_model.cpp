@@ -44,12 +44,23 @@ void SessionModel::startWith(Session session) {
   show(std::move(session));
 }
 
+void SessionModel::startWith(Session session, LessonLibrary library) {
+  m_history.dropGesture();
+  keepLesson();
+  m_library = std::move(library);
+  startWith(std::move(session));
+}
+
+void SessionModel::keepLesson() {
+  if (m_lesson != &m_unknownLesson)
+    m_unknownLesson = *m_lesson;
+  m_lesson = &m_unknownLesson;
+}
+
 void SessionModel::setLibrary(LessonLibrary library) {
   m_history.settleGesture();
-  const Lesson before = *m_lesson;
-  // Whoever hears of the history below sees the lesson as it was: the library's own is gone by then.
-  m_unknownLesson = before;
-  m_lesson = &m_unknownLesson;
+  keepLesson();
+  const Lesson &before = *m_lesson;
   m_library = std::move(library);
   const Lesson *now = m_library.find(before.id);
   Session renewed = session();

@@ -68,6 +68,8 @@ public:
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.
   void startWith(Session session);
+  /// The same with other lessons, or newer ones.
+  void startWith(Session session, LessonLibrary library);
   void setStep(int step);
   /// Where the scene is looked at from now; nothing: as the lesson begins. No undo step, and no change.
   void setView(const std::optional<ChosenView> &view);
@@ -84,6 +86,8 @@ signals:
   void sceneReplaced();  ///< after outcomeChanged, when all of the lesson's scene is another one at once
 
 private:
+  /// Keeps the lesson that is open, for whoever hears of the history while the library becomes another.
+  void keepLesson();
   /// Goes to a session without a step in the history.
   void show(Session session);
   /// Shows the session of the history, which was another one before.

@@ -63,9 +63,12 @@ void SessionFiles::open(const QString &file) {
   if (opened->text)
     known = std::make_shared<KnownFile>(
         KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson});
+  m_file = std::move(known);
+  if (opened->text)
+    m_model.startWith(std::move(opened->session));
   else
-    m_model.setLibrary(std::move(library)); // with the lesson
-  startWith(opened->session, std::move(known));
+    m_model.startWith(std::move(opened->session), std::move(library)); // with the lesson
+  emit changed();
 }
 
 void SessionFiles::askAndOpen() {

@@ -308,6 +308,7 @@ Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
     return steps.problem();
   lesson->steps = std::move(*steps);
   lesson->file = file;
+  lesson->text = text;
   if (auto problem = problemOfWords(*lesson))
     return std::move(*problem);
   return lesson;

@@ -189,6 +189,7 @@ struct Lesson {
   std::string chapter; ///< that it stands in, as people read it; may be empty
   std::vector<Need> needs;
   std::string file; ///< that it was read from
+  std::string text; ///< of that, as it was read
   std::vector<std::string> sources;
   Macros macros; ///< of the LaTeX in its words
   Scene scene;
