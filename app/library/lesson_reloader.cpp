@@ -14,10 +14,10 @@ LessonReloader::LessonReloader(SessionModel &model, Messages messages, QObject *
   watch();
 }
 
-void LessonReloader::watch() { m_watch.watch(m_model.lesson().file); }
+void LessonReloader::watch() { m_watch.watch(m_model.lesson().file, m_model.lesson().text); }
 
-void LessonReloader::reload() {
-  auto lesson = readLesson(m_model.lesson().file);
+void LessonReloader::reload(const Result<std::string> &text) {
+  auto lesson = text ? parseLesson(*text, m_model.lesson().file) : Result<Lesson>(text.problem());
   if (!lesson)
     return m_messages.say(QString::fromStdString(lesson.problem().text()));
   if (lesson->id != m_model.lesson().id)

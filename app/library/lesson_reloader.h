@@ -17,7 +17,7 @@ public:
 
 private:
   void watch();
-  void reload();
+  void reload(const Result<std::string> &text);
 
   SessionModel &m_model;
   Messages m_messages;

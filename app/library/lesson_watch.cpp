@@ -7,18 +7,13 @@
 #include <QFileInfo>
 
 #include <chrono>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
 /// Editors that write anew or rename are done within this time.
 constexpr std::chrono::milliseconds settlingTime{150};
-
-/// Empty where the file cannot be read: then it is no lesson either.
-std::string textOf(const std::filesystem::path &file) {
-  const auto text = readFile(file, maxLessonBytes);
-  return text ? *text : std::string();
-}
 
 } // namespace
 
@@ -31,23 +26,30 @@ LessonWatch::LessonWatch(QObject *parent) : QObject(parent) {
   connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, settle);
 }
 
-void LessonWatch::watch(const std::filesystem::path &file) {
+void LessonWatch::watch(const std::filesystem::path &file, const std::string &text) {
+  m_text = text;
+  if (file == m_file)
+    return;
   m_settle.stop();
   m_file = file;
-  m_text = textOf(file);
+  addPaths();
+}
+
+void LessonWatch::addPaths() {
   const QStringList before = m_watcher.files() + m_watcher.directories();
   if (!before.isEmpty())
     m_watcher.removePaths(before);
   // A file that is put in its place is another: the folder tells of it.
-  if (const auto path = file.empty() ? std::nullopt : absolutePathOf(file))
+  if (const auto path = m_file.empty() ? std::nullopt : absolutePathOf(m_file))
     m_watcher.addPaths({*path, QFileInfo(*path).path()});
 }
 
 void LessonWatch::lookAgain() {
-  const std::string before = m_text;
-  watch(std::filesystem::path(m_file));
+  addPaths();
+  const auto text = readFile(m_file, maxLessonBytes);
+  const std::string before = std::exchange(m_text, text ? *text : std::string());
   if (m_text != before)
-    emit changed();
+    emit changed(text);
 }
 
 } // namespace halfspace

@@ -1,6 +1,8 @@
 // Tells when the file of a lesson changes.
 #pragma once
 
+#include "lessons/result.h"
+
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
@@ -16,17 +18,19 @@ class LessonWatch : public QObject {
 public:
   explicit LessonWatch(QObject *parent = nullptr);
 
-  /// Watches this file from now on, as it stands there.
-  void watch(const std::filesystem::path &file);
+  /// Watches this file from now on; `text` is what was read from it. An empty path: none.
+  void watch(const std::filesystem::path &file, const std::string &text);
 
 signals:
-  void changed(); ///< the file holds another text than before, or cannot be read
+  /// The file holds another text than before, or cannot be read.
+  void changed(const halfspace::Result<std::string> &text);
 
 private:
+  void addPaths();
   void lookAgain();
 
   std::filesystem::path m_file;
-  std::string m_text; ///< as it was last found
+  std::string m_text; ///< as it was last found; empty where it cannot be read: then it is no lesson either
   QFileSystemWatcher m_watcher;
   QTimer m_settle; ///< editors write in several goes
 };

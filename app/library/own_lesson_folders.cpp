@@ -1,6 +1,5 @@
 #include "app/library/own_lesson_folders.h"
 
-#include "app/check.h"
 #include "app/lessons_folder.h"
 #include "app/work/learner_progress.h"
 
