@@ -6,16 +6,14 @@
 namespace halfspace {
 
 int LessonWords::lineAt(std::size_t place) const {
-  const auto passed = std::ranges::lower_bound(lineEnds, place) - lineEnds.begin();
+  const std::string &written = text.written();
+  const auto end = written.begin() + static_cast<std::ptrdiff_t>(std::min(place, written.size()));
+  const auto passed = std::count(written.begin(), end, '\n');
   return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
 }
 
 LessonWords::LessonWords(MarkdownText words, std::vector<int> linesOfWords, std::string fieldOfWords)
-    : text(std::move(words)), lines(std::move(linesOfWords)), field(std::move(fieldOfWords)) {
-  const std::string &written = text.written();
-  for (auto end = written.find('\n'); end != std::string::npos; end = written.find('\n', end + 1))
-    lineEnds.push_back(end);
-}
+    : text(std::move(words)), lines(std::move(linesOfWords)), field(std::move(fieldOfWords)) {}
 
 namespace {
 

@@ -10,11 +10,10 @@ struct LessonWords {
   LessonWords(MarkdownText words, std::vector<int> linesOfWords, std::string fieldOfWords);
 
   MarkdownText text;
-  std::vector<int> lines; ///< where its lines stand in the file; one for all where YAML has folded them
-  std::string field;      ///< of a block; empty for the words of a step
-  std::vector<std::size_t> lineEnds; ///< places in the text
-  bool showsPictures = false;        ///< see StepWords
-  bool fillsInValues = true;         ///< see Prediction
+  std::vector<int> lines;     ///< where its lines stand in the file; one for all where YAML has folded them
+  std::string field;          ///< of a block; empty for the words of a step
+  bool showsPictures = false; ///< see StepWords
+  bool fillsInValues = true;  ///< see Prediction
 
   /// The line of the file that a place in the text is of.
   [[nodiscard]] int lineAt(std::size_t place) const;

@@ -3,7 +3,6 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/lesson_markup.h"
 #include "lessons/lesson/lesson_words.h"
-#include "lessons/reading/markdown_formulas.h"
 #include "lessons/reading/yaml_hint.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -63,7 +62,7 @@ private:
 void addLoneDollars(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
   const std::string &text = piece.text.written();
   std::optional<std::size_t> before;
-  for (const std::size_t place : takeFormulas(text).loneDollars) {
+  for (const std::size_t place : piece.text.markdown().loneDollars) {
     if (!before || text.substr(*before, place - *before).find("\n\n") != std::string::npos)
       problems.push_back(
           {words("This $ has no partner in its paragraph. End the formula with another, without "

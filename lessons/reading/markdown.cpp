@@ -332,7 +332,7 @@ Result<Markdown> readMarkdown(std::string_view text) {
   const MD_PARSER parser = parserOfOurDialect();
   if (md_parse(taken.markdown.data(), static_cast<MD_SIZE>(taken.markdown.size()), &parser, &builder) != 0)
     return Problem{builder.problem(), "", 0, ""};
-  return Markdown{builder.finish(), std::move(taken.formulas)};
+  return Markdown{builder.finish(), std::move(taken.formulas), std::move(taken.loneDollars)};
 }
 
 } // namespace halfspace

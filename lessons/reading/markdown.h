@@ -74,7 +74,8 @@ struct MarkdownBlock {
 
 struct Markdown {
   std::vector<MarkdownBlock> blocks;
-  std::vector<MarkdownFormula> formulas; ///< in the order of the text, also those that no span shows
+  std::vector<MarkdownFormula> formulas{}; ///< in the order of the text, also those that no span shows
+  std::vector<std::size_t> loneDollars{};  ///< the places in the text of those without a partner
 };
 
 inline constexpr std::size_t maxMarkdownBytes = 1U << 16U;
