@@ -118,6 +118,7 @@ QSize Inspector::sizeHint() const {
 
 void Inspector::buildGivenRows(const std::vector<CoordinateId> &ids) {
   m_results.clear();
+  m_resultLabels.clear();
   auto *content = new QWidget;
   m_layout = new QVBoxLayout(content);
   m_layout->setContentsMargins(14, 4, 14, 10);
@@ -193,22 +194,27 @@ void Inspector::showSession() { m_rows.renew(); }
 void Inspector::writeRows() {
   auto ids = coordinatesOf(m_model.session().scene);
   ids.resize(std::min(ids.size(), mostGivenRows));
-  const auto values = shownValues(m_model.evaluation());
-  const bool sameGiven = widget() && m_given.areMadeFor(ids); // they stay while results come and go
-  if (!sameGiven)
+  if (!widget() || !m_given.areMadeFor(ids)) { // they stay while results come and go
     buildGivenRows(ids);
+    applyInk();
+  }
+  m_given.showNumbers();
+  if (!m_resultsHidden)
+    writeResults();
+  m_resultsBox->setVisible(!m_resultsHidden);
+}
+
+void Inspector::writeResults() {
+  const auto values = shownValues(m_model.evaluation());
   const bool sameResults =
-      sameGiven &&
       std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
                  [](const ShownValue &value, const ResultRow &row) { return value.id() == row.id; });
   if (!sameResults) {
     buildResultRows();
     applyInk();
   }
-  m_given.showNumbers();
   for (std::size_t i = 0; i < values.size(); ++i)
     showValue(*m_results[i].value, values[i].value->value);
-  m_resultsBox->setVisible(!m_resultsHidden);
 }
 
 void Inspector::setResultsHidden(bool hidden) { m_resultsHidden = hidden; }

@@ -39,6 +39,7 @@ private:
   };
 
   void writeRows();
+  void writeResults();
   void buildGivenRows(const std::vector<CoordinateId> &ids);
   void buildResultRows();
   static void addGivenRow(QGridLayout &grid, const CoordinateRow &row);
