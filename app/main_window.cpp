@@ -48,8 +48,9 @@ QString fileIn(const QMimeData &data) {
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library, Session session, std::shared_ptr<const KnownFile> file)
-    : m_model(std::move(library), std::move(session)), m_panels(*this, m_model), m_look(*this),
-      m_layout(*this, m_panels), m_progress(m_model, m_putAside), m_step(m_model, m_panels, m_progress),
+    : m_model(std::move(library), std::move(session)), m_progress(m_model, m_putAside),
+      m_panels(*this, m_model), m_look(*this), m_layout(*this, m_panels),
+      m_step(m_model, m_panels, m_progress),
       m_meshes(m_model, sceneView(), m_step.flight().player(), m_panels.messages()),
       m_files(m_model, m_panels.input(), m_panels.messages(), std::move(file)),
       m_autosave(m_model, m_files, m_panels.input(), m_progress, m_panels.messages()),

@@ -73,10 +73,10 @@ private:
 
   SessionModel m_model;
   PutAsideFiles m_putAside;
+  LearnerProgress m_progress; ///< outlives the panels: the model asks it for what they change at their end
   WindowPanels m_panels;
   WindowLook m_look;
   WindowLayout m_layout;
-  LearnerProgress m_progress;
   StepPresenter m_step;
   SceneMeshes m_meshes;
   SessionFiles m_files;

@@ -18,25 +18,25 @@ CasePresenter::CasePresenter(SessionModel &model, CaseLine &line, QWidget &scene
   });
 }
 
-void CasePresenter::show() {
-  const QString said = words();
-  m_line.setCase(said, m_model.shown().degenerate && !m_question.hidesNumbers());
+void CasePresenter::show(bool numbersHidden) {
+  const QString said = words(numbersHidden);
+  m_line.setCase(said, m_model.shown().degenerate && !numbersHidden);
   m_scene.setAccessibleDescription(said);
   m_line.offerAfresh(!m_question.isOpen() && m_atStart.lacksLines());
-  showNearby();
+  showNearby(numbersHidden);
 }
 
-QString CasePresenter::words() const {
+QString CasePresenter::words(bool numbersHidden) const {
   if (m_question.isOpen())
     return tr("Answer the question first: the numbers are hidden until you do.");
-  if (m_question.hidesNumbers())
+  if (numbersHidden)
     return tr("Fill in the blank lines: other numbers are hidden until you do.");
   return unbroken(QString::fromStdString(m_model.shown().description));
 }
 
-void CasePresenter::showNearby() {
+void CasePresenter::showNearby(bool numbersHidden) {
   m_nearby.clear();
-  if (m_question.hidesNumbers())
+  if (numbersHidden)
     return m_line.setNearby({}, {});
   std::set<std::string> entries;
   for (const WorkingLine &line : m_model.shown().working.lines)

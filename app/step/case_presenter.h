@@ -24,11 +24,12 @@ public:
   CasePresenter(SessionModel &model, CaseLine &line, QWidget &scene, const StepQuestion &question,
                 StepAtStart &atStart);
 
-  void show();
+  /// `numbersHidden`: until the question is answered, or blank lines are filled in.
+  void show(bool numbersHidden);
 
 private:
-  [[nodiscard]] QString words() const;
-  void showNearby();
+  [[nodiscard]] QString words(bool numbersHidden) const;
+  void showNearby(bool numbersHidden);
   void goToNearby(int which);
 
   SessionModel &m_model;

@@ -36,13 +36,13 @@ void PagePresenter::showLines() {
   m_practice.setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);
   // Which lines there are would tell what is asked: the open question has those of the lesson's own numbers.
   const bool isOpen = m_question.isOpen();
-  const Shown &lines = isOpen && m_model.isChanged() ? m_atStart.shown() : m_model.shown();
+  const LinesOfStep &lines = isOpen && m_model.isChanged() ? m_atStart.lines() : m_model.shown();
   m_practice.setWorking(lines.working, lines.linesIn, isOpen);
 }
 
-void PagePresenter::showWords() {
-  m_page.showWords([this](const std::string &name) {
-    const LiveValues shown = m_question.hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
+void PagePresenter::showWords(bool numbersHidden) {
+  const LiveValues shown = numbersHidden ? LiveValues::Hidden : LiveValues::Shown;
+  m_page.showWords([this, shown](const std::string &name) {
     return liveValue(name, m_model.session().scene, m_model.evaluation(), shown);
   });
   if (!m_model.history().inGesture()) // what is only passed in a drag does not count

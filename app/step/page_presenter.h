@@ -26,8 +26,8 @@ public:
   /// Another step of the lesson; its words and lines come with its outcome.
   void showStep();
   void showLines();
-  /// Words and tasks, as they are with the present numbers.
-  void showWords();
+  /// Words and tasks, as they are with the present numbers; the words without them while they are hidden.
+  void showWords(bool numbersHidden);
   /// Behind the last lesson nothing happens.
   void openNextLesson();
 

@@ -3,18 +3,21 @@
 namespace halfspace {
 
 StepAtStart::StepAtStart(const SessionModel &model) : m_model(model) {
-  connect(&model, &SessionModel::stepChanged, this, [this] { m_shown.reset(); });
+  connect(&model, &SessionModel::lessonChanged, this, [this] { m_evaluation.reset(); });
+  connect(&model, &SessionModel::stepChanged, this, [this] { m_lines.reset(); });
 }
 
-const Shown &StepAtStart::shown() {
-  if (!m_shown)
-    m_shown = shownIn(m_model.step(), evaluate(m_model.lesson().scene));
-  return *m_shown;
+const LinesOfStep &StepAtStart::lines() {
+  if (!m_evaluation)
+    m_evaluation = evaluate(m_model.lesson().scene);
+  if (!m_lines)
+    m_lines = linesOfStep(m_model.step(), *m_evaluation);
+  return *m_lines;
 }
 
 bool StepAtStart::lacksLines() {
   // Unchanged, nothing is evaluated for it: neither when the window opens nor when a step is turned to.
-  return m_model.isChanged() && m_model.shown().working.lines.size() < shown().working.lines.size();
+  return m_model.isChanged() && m_model.shown().working.lines.size() < lines().working.lines.size();
 }
 
 } // namespace halfspace

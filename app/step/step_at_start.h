@@ -1,4 +1,4 @@
-// What the step shows of the numbers that its lesson begins with.
+// The lines that the step shows of the numbers that its lesson begins with.
 #pragma once
 
 #include "lessons/lesson/shown.h"
@@ -10,21 +10,21 @@
 
 namespace halfspace {
 
-/// Evaluates the lesson's own scene when it is asked, once for each step.
+/// Evaluates the lesson's own scene when it is asked, once for each lesson.
 class StepAtStart : public QObject {
   Q_OBJECT
 public:
   /// The model must outlive it.
   explicit StepAtStart(const SessionModel &model);
 
-  /// Once the step's question is answered.
-  [[nodiscard]] const Shown &shown();
+  [[nodiscard]] const LinesOfStep &lines();
   /// Whether the present case is one without lines that the step has at its start.
   [[nodiscard]] bool lacksLines();
 
 private:
   const SessionModel &m_model;
-  std::optional<Shown> m_shown; ///< nothing: nobody has asked yet
+  std::optional<Evaluation> m_evaluation; ///< of the lesson; nothing: nobody has asked yet
+  std::optional<LinesOfStep> m_lines;     ///< of the step, likewise
 };
 
 } // namespace halfspace

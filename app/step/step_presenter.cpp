@@ -13,7 +13,7 @@ namespace halfspace {
 
 StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerProgress &progress)
     : m_progress(progress), m_scene(panels.scene().view()), m_inspector(panels.inspector()),
-      m_question(model, progress, panels.practice()), m_atStart(model),
+      m_practice(panels.practice()), m_question(model, progress), m_atStart(model),
       m_freshStart(model, panels.input(), m_question, progress),
       m_flight(model, panels.page().flight(), panels.messages()),
       m_page(model, panels.page(), panels.practice(), m_question, progress, m_atStart),
@@ -47,14 +47,14 @@ void StepPresenter::showOutcome() {
 }
 
 void StepPresenter::showBesideLines() {
-  const bool hidden = m_question.hidesNumbers();
+  const bool hidden = m_question.isOpen() || m_practice.hasBlanks(); // until they are answered
   m_inspector.setResultsHidden(hidden);
   m_scene.drawn().setNumbersHidden(hidden);
   m_flight.setNumbersHidden(hidden);
   m_inspector.showSession();
-  m_page.showWords();
+  m_page.showWords(hidden);
   m_flight.show();
-  m_case.show();
+  m_case.show(hidden);
 }
 
 } // namespace halfspace

@@ -13,6 +13,7 @@ namespace halfspace {
 
 class Inspector;
 class WindowPanels;
+class WorkingPractice;
 
 /// Writes the lines, the numbers, the words, the flight and the case line at every change of the session, in
 /// this order; the scene, the flat picture and the card of numbers follow the session themselves. Each part
@@ -40,6 +41,7 @@ private:
   LearnerProgress &m_progress;
   SceneView &m_scene;
   Inspector &m_inspector;
+  const WorkingPractice &m_practice;
   StepQuestion m_question;
   StepAtStart m_atStart;
   FreshStart m_freshStart;

@@ -1,4 +1,4 @@
-// What a step asks before it shows its numbers: its question, and the blanks in its lines.
+// What a step asks before it shows its numbers.
 #pragma once
 
 #include "app/work/learner_progress.h"
@@ -7,20 +7,15 @@
 
 namespace halfspace {
 
-class WorkingPractice;
-
-/// Knows whether the step's question is open, which the model asks it for, and keeps the learner's answer in
-/// what is done.
+/// Keeps the learner's answer in what is done.
 class StepQuestion : public QObject {
   Q_OBJECT
 public:
-  /// All must outlive it; behind its end the model has no other outcome any more.
-  StepQuestion(SessionModel &model, LearnerProgress &progress, const WorkingPractice &practice);
+  /// Both must outlive it.
+  StepQuestion(SessionModel &model, LearnerProgress &progress) : m_model(model), m_progress(progress) {}
 
-  /// Whether the step asks a question that is not answered yet.
-  [[nodiscard]] bool isOpen() const;
-  /// Whether numbers are hidden, until the question is answered or blank lines are filled in.
-  [[nodiscard]] bool hidesNumbers() const;
+  /// Whether the step asks one that is not answered yet.
+  [[nodiscard]] bool isOpen() const { return m_progress.hasOpenQuestion(); }
   void answer(const QString &choice);
   /// The learner may answer once more. In a step without a question nothing happens.
   void reopen();
@@ -33,7 +28,6 @@ signals:
 private:
   SessionModel &m_model;
   LearnerProgress &m_progress;
-  const WorkingPractice &m_practice;
 };
 
 } // namespace halfspace

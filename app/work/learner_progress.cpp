@@ -4,8 +4,10 @@
 
 namespace halfspace {
 
-LearnerProgress::LearnerProgress(const SessionModel &model, PutAsideFiles &putAside)
-    : m_model(model), m_putAside(putAside), m_progress(stored()), m_kept(m_progress) {}
+LearnerProgress::LearnerProgress(SessionModel &model, PutAsideFiles &putAside)
+    : m_model(model), m_putAside(putAside), m_progress(stored()), m_kept(m_progress) {
+  model.setQuestionOf([this] { return hasOpenQuestion() ? Question::Open : Question::Answered; });
+}
 
 LessonProgress LearnerProgress::stored() {
   const auto found = readProgress(progressFile());
@@ -18,6 +20,8 @@ LessonProgress LearnerProgress::stored() {
 StepProgress &LearnerProgress::ofStep() {
   return m_progress[{m_model.session().lesson, nameOfStep(m_model.lesson(), m_model.session().step)}];
 }
+
+bool LearnerProgress::hasOpenQuestion() { return predictionOf(m_model.step()) && !ofStep().chosen; }
 
 LessonState LearnerProgress::stateOf(const Lesson &lesson) const {
   return halfspace::stateOf(lesson, m_progress);

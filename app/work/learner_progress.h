@@ -7,14 +7,17 @@
 
 namespace halfspace {
 
-/// Begins with what earlier starts have kept. A file that cannot be read is put aside.
+/// Begins with what earlier starts have kept. A file that cannot be read is put aside. The model asks here
+/// whether the question of its step is answered.
 class LearnerProgress {
 public:
-  /// Both must outlive it.
-  LearnerProgress(const SessionModel &model, PutAsideFiles &putAside);
+  /// Both must outlive it; behind its end the model has no other outcome any more.
+  LearnerProgress(SessionModel &model, PutAsideFiles &putAside);
 
   /// Of the step that is shown.
   [[nodiscard]] StepProgress &ofStep();
+  /// Whether that step asks a question that is not answered yet.
+  [[nodiscard]] bool hasOpenQuestion();
   [[nodiscard]] LessonState stateOf(const Lesson &lesson) const;
   /// The ids of the lessons that this one builds on and that are not done; none where it is done itself.
   [[nodiscard]] QStringList idsStillNeeded(const Lesson &lesson) const;

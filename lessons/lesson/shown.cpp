@@ -160,8 +160,8 @@ void addCase(const CaseWords &told, Shown &shown) {
 
 } // namespace
 
-Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure, Question question) {
-  Shown shown;
+LinesOfStep linesOfStep(const LessonStep &step, const Evaluation &evaluation) {
+  LinesOfStep shown;
   std::unordered_set<std::string> added;
   for (const StepBlock &block : step.blocks)
     if (const auto *lines = std::get_if<StepLines>(&block)) {
@@ -169,6 +169,11 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
       addLines(*lines, evaluation, shown.working, added);
       shown.linesIn.push_back(shown.working.lines.size() - before);
     }
+  return shown;
+}
+
+Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure, Question question) {
+  Shown shown{linesOfStep(step, evaluation), {}, {}};
   const Names lines = lineNamesOf(step);
   const std::unordered_set<std::string> spokenOf = entriesSpokenOf(lines, shown.working);
   for (std::size_t i = lines.empty() ? firstShown(evaluation) : 0; i < evaluation.entries.size(); ++i) {

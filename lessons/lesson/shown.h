@@ -5,11 +5,16 @@
 
 namespace halfspace {
 
-/// What a step shows of a scene.
-struct Shown {
-  Working working; ///< all lines, in the order of the page
+/// The worked lines that a step shows of a scene.
+struct LinesOfStep {
+  Working working; ///< all of them, in the order of the page
   /// How many of them stand in each of the step's StepLines. A line that several name stands in the first.
   std::vector<std::size_t> linesIn;
+};
+[[nodiscard]] LinesOfStep linesOfStep(const LessonStep &step, const Evaluation &evaluation);
+
+/// What a step shows of a scene.
+struct Shown : LinesOfStep {
   Figure figure;
   std::string description; ///< the cases of the constructions whose lines are shown, in plain words
   bool degenerate = false; ///< one of them is a warning
