@@ -1,8 +1,8 @@
 // The dot product of two vectors, and what each is along the other and across it (notes PG 6.1 and RP).
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/two_vectors.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
-#include "lessons/object/kinds/vector.h"
 #include "lessons/term/angle.h"
 #include "lessons/term/prime.h"
 
@@ -172,15 +172,6 @@ LineTable<Out> lines() {
       {"other-projection", &Out::hasW, otherProjectionLine}};
 }
 
-/// A vector drawn once more from where the other starts, so that both start from one point: it is the same
-/// vector there.
-void drawMoved(Figure &figure, const std::string &leader, const Place &from,
-               const Given<VectorObject> &moved) {
-  if (from != place(moved.object.start))
-    figure.add(
-        inLook(moved.look, ArrowMark{{leader + "/moved", Role::Ghost}, from, place(moved.object.vector)}));
-}
-
 /// The projection of a vector onto another from where that starts, with the way across from the vector's tip.
 void drawProjection(Figure &figure, const Term &prime, const Given<VectorObject> &vector,
                     const Given<VectorObject> &onto) {
@@ -218,14 +209,8 @@ Figure draw(const Out &at) {
 }
 
 std::vector<SpecialCase> nearby(const Out &at) {
-  if (!at.hasAngle || at.sign == 0 || at.areParallel)
-    return {};
-  const ExactVec3 &start = at.in.w.object.start;
-  return {{is("case", "right"), words("{v} and {w} would be perpendicular.", at.letters), "w",
-           VectorObject{start, at.wOntoV.rejection}},
-          {is("case", at.sign > 0 ? "same-direction" : "opposite"),
-           words("{v} and {w} would lie along one line.", at.letters), "w",
-           VectorObject{start, at.wOntoV.projection}}};
+  return turnedNearby(at.in.v, at.in.w, "w",
+                      {is("case", "right"), is("case", at.sign > 0 ? "same-direction" : "opposite")});
 }
 
 /// The numbers of one projection, as the query has them.

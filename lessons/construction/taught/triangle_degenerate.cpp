@@ -1,6 +1,7 @@
 // Whether three corners make a triangle, by every test of note PG 6.2, and what each of them sees.
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
+#include "lessons/construction/parts/two_vectors.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/triangle.h"
@@ -189,15 +190,6 @@ void drawNormal(Figure &figure, const Out &at, const Place &p0) {
   figure.add(arrowOfLength(std::move(normal), p0, at.perps.normal, drawnNormalLength));
 }
 
-/// Its area is the length of the normal.
-void drawParallelogram(Figure &figure, const Out &at) {
-  const auto &[p0, p1, p2] = at.in.T.object;
-  const Term area = norm(at.n);
-  MarkBase base{at.n->mark + "/area", Role::Helper, Subject::Plane, latexOf(area)};
-  base.numbers = relatedLatex(calculated(area));
-  figure.add(PolygonMark{std::move(base), {place(p0), place(p1), place(ExactVec3(p1 + p2 - p0)), place(p2)}});
-}
-
 Figure draw(const Out &at) {
   Figure figure;
   const Place p0 = place(at.P0);
@@ -213,7 +205,7 @@ Figure draw(const Out &at) {
     figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.u), place(at.v)});
   if (at.isTriangle) {
     drawNormal(figure, at, p0);
-    drawParallelogram(figure, at);
+    figure.add(parallelogramOf(at.n->mark + "/area", norm(at.n), p0, place(at.u), place(at.v)));
   }
   return figure;
 }
