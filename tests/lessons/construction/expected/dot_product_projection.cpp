@@ -83,12 +83,6 @@ void addReach(std::vector<WrongAnswer> &all, const Rational &dot, const Rational
   reach.add("the length of w", Surd::root(ww));
 }
 
-void addVector(std::vector<WrongAnswer> &all, const char *id, const char *how, const ExactVec3 &wrong,
-               const ExactVec3 &right) {
-  if (wrong != right)
-    all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
-}
-
 /// Of a projected vector onto another, whose product is `dot`.
 void addProjections(std::vector<WrongAnswer> &all, const char *id, const ExactVec3 &onto,
                     const ExactVec3 &vector) {

@@ -89,12 +89,6 @@ Recomputed recompute(Objects objects) {
   return expected;
 }
 
-void addVector(std::vector<WrongAnswer> &all, const char *id, const char *how, const ExactVec3 &wrong,
-               const ExactVec3 &right) {
-  if (wrong != right)
-    all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
-}
-
 void addPoint(std::vector<WrongAnswer> &all, const TriangleObject &T, const ExactVec3 &P) {
   const ExactVec3 u = T.p1 - T.p0;
   const ExactVec3 v = T.p2 - T.p0;

@@ -59,12 +59,6 @@ Recomputed recompute(Objects objects) {
   return expected;
 }
 
-void addVector(std::vector<WrongAnswer> &all, const char *id, const char *how, const ExactVec3 &wrong,
-               const ExactVec3 &right) {
-  if (wrong != right)
-    all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
-}
-
 /// What a difference of (u·v)² and (u·u)(v·v) comes to; `sign` is −1 where the second comes first.
 void addDifference(std::vector<WrongAnswer> &all, const char *id, const Rational &uv, const Rational &uu,
                    const Rational &vv, const Rational &sign) {

@@ -58,6 +58,13 @@ private:
   std::string m_before;
 };
 
+/// A wrong answer to a line that asks for a vector.
+inline void addVector(std::vector<WrongAnswer> &all, const char *id, const char *how, const ExactVec3 &wrong,
+                      const ExactVec3 &right) {
+  if (wrong != right)
+    all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
+}
+
 /// (1)x+(2)y+(2)z
 inline std::string variablePart(const ExactVec3 &n) {
   const auto factor = [](const Rational &number) { return "(" + toText(number) + ")"; };
@@ -151,10 +158,7 @@ inline void addPointOnRay(std::vector<WrongAnswer> &all, const char *id, const E
                           const Rational &parameter, const ExactVec3 &direction) {
   const ExactVec3 way = direction * parameter;
   const ExactVec3 right = start + way;
-  const auto add = [&](const char *how, const ExactVec3 &wrong) {
-    if (wrong != right)
-      all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
-  };
+  const auto add = [&](const char *how, const ExactVec3 &wrong) { addVector(all, id, how, wrong, right); };
   add("subtracted", start - way);
   add("the parameter forgotten", start + direction);
   add("the parameter added", ExactVec3(start + direction) + ExactVec3(parameter));
