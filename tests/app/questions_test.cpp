@@ -50,6 +50,7 @@ const std::vector<RightAnswer> &questions() {
       {"ray-prism-pluecker", 1, "hit"},
       {"three-methods", 1, "interior"},
       {"misprints", 1, "holds"},
+      {"cross-product", 1, "up"},
   };
   return all;
 }

@@ -52,8 +52,8 @@ const std::map<std::string, Question> &questions() {
 }
 /// Those that ask otherwise: each has a test of its own below.
 const std::set<std::string> withOtherQuestions{
-    "barycentric", "dot-product-projection", "half-spaces",         "plane-parametric",
-    "point-line",  "ray-plane-substitution", "triangle-degenerate", "nearest-hit"};
+    "barycentric", "cross-product",          "dot-product-projection", "half-spaces", "plane-parametric",
+    "point-line",  "ray-plane-substitution", "triangle-degenerate",    "nearest-hit"};
 /// Questions know no saucers and no frames.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
@@ -248,6 +248,28 @@ TEST(SameAsEval, DotProductProjection_OfEachVectorOntoTheOther) {
         compared += compare(explained.at("values").at(names.at(onto)), answered.at("result"), names.at(onto));
     }
     return compared;
+  });
+}
+
+/// Questions have triangles: that of the start and both tips, with a ray that crosses it.
+TEST(SameAsEval, CrossProduct_OfATrianglesSides) {
+  compareScenes("cross-product", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 &start = objects[0][0];
+    const ExactVec3 &u = objects[0][1];
+    const ExactVec3 &v = objects[1][1];
+    const Json corners{numbersOf(start), numbersOf(start + u), numbersOf(start + v)};
+    const Json plane = answerTo({{"query", "plane"}, {"plane", {{"points", corners}}}});
+    EXPECT_EQ(plane.at("ok"), !explained.at("degenerate"));
+    if (!plane.at("ok"))
+      return 0;
+    const Json &values = explained.at("values");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(values.at("cross").at("exact").at(axis),
+                plane.at("result").at("coefficients").at("exact").at(axis));
+    const RayObject ray{start, cross(u, v)};
+    const Json answered =
+        answerTo(Json{{"query", "ray-triangle"}, {"triangle", corners}, {"ray", operandOf(ray)}});
+    return compare(values, answered.at("result").at("perp"), "");
   });
 }
 

@@ -217,6 +217,15 @@ const std::vector<Asked> &tableOfTasks() {
       {"misprints", "facing = fails", {"L.r"}},
       {"misprints", "direction = fails", {"T.P1"}},
       {"misprints", "start = fails", {"L.r"}},
+      {"cross-product", "points = down", {"v.v"}},
+      {"cross-product", "cross.0 = 0 and case = proper", {"v.v"}},
+      {"cross-product", "parallelogram = 9", {"v.v"}},
+      {"cross-product", "parallelogram = 9 and length_v > 5", {"v.v"}},
+      {"cross-product", "uv = 0 and case = proper", {"v.v"}},
+      {"cross-product", "case = same-direction", {"v.v"}},
+      {"cross-product", "case = opposite", {"v.v"}},
+      {"cross-product", "length = 3", {"v.v"}},
+      {"cross-product", "triangle = 9/2 and uv = 0", {"v.v"}},
   };
   return table;
 }
