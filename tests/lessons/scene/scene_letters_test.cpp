@@ -98,7 +98,7 @@ TEST(SceneLetters, OfScenesAtRandom_TellEverythingApart) {
   RandomEdits random(41);
   Scene scene;
   std::size_t most = 0;
-  for (std::size_t i = 0; i < 3000; ++i) {
+  for (std::size_t i = 0; i < 10000; ++i) {
     const Edit rename =
         RenameEntry{scene.entries.empty() ? "" : scene.entries.back().name, names[i / 3 % names.size()]};
     if (const auto next = halfspace::apply(scene, i % 3 == 0 ? rename : random.next(scene)))
