@@ -45,8 +45,10 @@ bool isShort(const Object &object) {
 class Renewal {
 public:
   /// `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
-  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, bool keepsCornersOnALine)
-      : m_dice(dice), m_planes(planes), m_lines(lines), m_keepsCornersOnALine(keepsCornersOnALine) {}
+  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors,
+          bool keepsCornersOnALine)
+      : m_dice(dice), m_planes(planes), m_lines(lines), m_vectors(vectors),
+        m_keepsCornersOnALine(keepsCornersOnALine) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
@@ -66,8 +68,8 @@ public:
       m_nets.push_back(netOf(*line));
     else if (kindOf(object) == PolygonObject::kind || findSolidKind(kindOf(object)))
       m_nets.push_back(m_polygon);
-    else if (!m_vector)
-      m_vector = objectAs<VectorObject>(object);
+    else if (const auto vector = objectAs<VectorObject>(object))
+      m_drawnVectors.push_back(*vector);
   }
 
 private:
@@ -238,15 +240,35 @@ private:
   /// Later ones start where the first does. Most have another length, so that it is seen by whose length is
   /// divided; now and then they are at a right angle to it, or lie along it.
   void draw(VectorObject &vector) {
-    vector.vector = m_dice.shortNormal();
-    vector.start = m_vector ? m_vector->start : m_dice.position();
-    if (!m_vector)
+    const bool isFirst = m_drawnVectors.empty();
+    vector.vector = m_vectors > 2 ? vectorOfThree() : m_dice.shortNormal();
+    vector.start = isFirst ? m_dice.position() : m_drawnVectors.front().start;
+    if (isFirst || m_vectors > 2)
       return;
-    const ExactVec3 &first = m_vector->vector;
+    const ExactVec3 &first = m_drawnVectors.front().vector;
     while (dot(vector.vector, vector.vector) == dot(first, first))
       vector.vector = m_dice.once(2) ? m_dice.shortNormal() : m_dice.shortestNormal() * Rational(2);
     if (m_dice.once(alongOnceIn))
       vector.vector = m_dice.once(2) ? stepAlong(first, 0, 1) : first * Rational(2 * m_dice.sign());
+  }
+
+  /// The area between the first two is a whole number: the height of the others over it is divided by that.
+  /// Now and then they lie in one plane.
+  ExactVec3 vectorOfThree() {
+    if (m_drawnVectors.empty())
+      return m_dice.shortestNormal();
+    const ExactVec3 &first = m_drawnVectors.front().vector;
+    if (m_drawnVectors.size() > 1) {
+      const bool isInPlane = m_dice.once(alongOnceIn);
+      const ExactVec3 other = m_dice.direction(longestStep);
+      return isInPlane ? ExactVec3(m_drawnVectors[1].vector + first * Rational(m_dice.sign())) : other;
+    }
+    ExactVec3 second = first;
+    for (ExactVec3 area{}; isZero(area) || !Surd::root(dot(area, area)).isRational();) {
+      second = m_dice.direction(longestStep);
+      area = cross(first, second);
+    }
+    return second;
   }
 
   void draw(TriangleObject &triangle) {
@@ -324,10 +346,11 @@ private:
   // How many there are:
   std::ptrdiff_t m_planes;
   std::ptrdiff_t m_lines;
+  std::ptrdiff_t m_vectors;
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
-  Net m_polygon;                        ///< of the last that was drawn
-  std::optional<VectorObject> m_vector; ///< the first
+  Net m_polygon; ///< of the last that was drawn
+  std::vector<VectorObject> m_drawnVectors;
   std::optional<SphereObject> m_sphere; ///< the last
 };
 
@@ -346,7 +369,8 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
     return std::count_if(objects.begin(), objects.end(),
                          [&](const Object *object) { return kindOf(*object) == kind; });
   };
-  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), keepsCornersOnALine);
+  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind),
+                  keepsCornersOnALine);
   // What is looked for comes before what looks for it.
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
