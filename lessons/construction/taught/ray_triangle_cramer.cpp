@@ -3,6 +3,7 @@
 // their letters.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle_cramer.h"
+#include "lessons/construction/parts/expansion.h"
 #include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
 #include "lessons/construction/taught.h"
@@ -79,12 +80,10 @@ CaseWords tell(const Out &at) {
 }
 
 /// D by the cofactors of its first column.
-WorkingLine expansionLine(const Out &at) {
-  const Term whole = determinant(3, {at.a, at.b, at.r});
-  return asked(
-      (at.D == whole).then(columnsPutIn(whole)).then(expandedAlong(whole, 0)).then(calculated(whole)),
-      words("By its first column: each number of a times what is left without its row and column. Signs: "
-            "plus, minus, plus."));
+WorkingLine firstColumnLine(const Out &at) {
+  return expansionLine(at.D, {at.a, at.b, at.r}, 0,
+                       words("By its first column: each number of a times what is left without its row and "
+                             "column. Signs: plus, minus, plus."));
 }
 
 /// A cross product that two determinants share.
@@ -157,7 +156,7 @@ LineTable<Out> lines() {
            says("From {P2} to {P0}.")},
           {"c", always, [](const Out &at) { return withNumbers(at.c == at.P0 - at.Q); },
            says("From {Q} to {P0}.")},
-          {"expansion", always, expansionLine},
+          {"expansion", always, firstColumnLine},
           {"p", always,
            [](const Out &at) {
              return sharedLine(at.p, at.b, at.r, words("The first cross product that is used twice."));
