@@ -28,6 +28,8 @@ const std::vector<RightAnswer> &questions() {
       {"half-spaces", 1, "2"},
       {"plane-plane", 1, "line"},
       {"dot-product-projection", 1, "positive"},
+      {"determinant", 1, "larger"},
+      {"determinant", 3, "right-handed"},
       {"signed-distance", 1, "positive"},
       {"point-line", 1, "2"},
       {"ray-plane-substitution", 1, "behind"},

@@ -127,6 +127,10 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
         kindOf(objects[1]) == VectorObject::kind)
       return makeSpecialVectors(objects[0], objects[1]);
+    if (objects.size() == 3 && std::all_of(objects.begin(), objects.end(), [](const Object &object) {
+          return kindOf(object) == VectorObject::kind;
+        }))
+      return makeSpecialVectors(objects[0], objects[1], objects[2]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -228,6 +232,38 @@ private:
       break;
     default:
       second[0] = first[0];
+    }
+  }
+
+  /// One zero, two along one line or all, in one plane, one of them perpendicular to the others, or from one
+  /// point.
+  void makeSpecialVectors(Object &first, Object &second, Object &third) {
+    const std::array all{&first, &second, &third};
+    const auto any = static_cast<std::size_t>(integer(0, 2));
+    Object &one = *all.at(any);
+    const Object &other = *all.at((any + 1) % 3);
+    const Object &last = *all.at((any + 2) % 3);
+    switch (integer(0, 7)) {
+    case 0:
+      one[1] = {0, 0, 0};
+      break;
+    case 1:
+      one[1] = other[1] * number();
+      break;
+    case 2:
+      second[1] = first[1] * Rational(integer(1, 3));
+      third[1] = first[1] * Rational(-2);
+      break;
+    case 3:
+    case 4:
+      one[1] = other[1] * Rational(integer(1, 3)) - last[1];
+      break;
+    case 5:
+    case 6:
+      one[1] = cross(other[1], last[1]);
+      break;
+    default:
+      second[0] = third[0] = first[0];
     }
   }
 

@@ -52,8 +52,9 @@ const std::map<std::string, Question> &questions() {
 }
 /// Those that ask otherwise: each has a test of its own below.
 const std::set<std::string> withOtherQuestions{
-    "barycentric", "cross-product",          "dot-product-projection", "half-spaces", "plane-parametric",
-    "point-line",  "ray-plane-substitution", "triangle-degenerate",    "nearest-hit"};
+    "barycentric",         "cross-product",    "determinant", "dot-product-projection",
+    "half-spaces",         "plane-parametric", "point-line",  "ray-plane-substitution",
+    "triangle-degenerate", "nearest-hit"};
 /// Questions know no saucers and no frames.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
@@ -270,6 +271,20 @@ TEST(SameAsEval, CrossProduct_OfATrianglesSides) {
     const Json answered =
         answerTo(Json{{"query", "ray-triangle"}, {"triangle", corners}, {"ray", operandOf(ray)}});
     return compare(values, answered.at("result").at("perp"), "");
+  });
+}
+
+/// Questions have no three vectors: their determinant is what the plane of two of them makes of the tip of
+/// the third.
+TEST(SameAsEval, Determinant_AsThePlaneOfTheBaseSeesTheTip) {
+  compareScenes("determinant", [](const std::vector<Object> &objects, const Json &explained) {
+    const PlaneObject base{{0, 0, 0}, cross(objects[0][1], objects[1][1])};
+    const Json answered = answerTo({"point-plane", {"plane", "point"}}, {base, PointObject{objects[2][1]}});
+    EXPECT_EQ(answered.at("ok"), !isZero(base.normal));
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(explained.at("values").at("det"), answered.at("result").at("f"));
+    return 1;
   });
 }
 

@@ -79,7 +79,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected plane_implicit() {
-  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.34};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.32};
 }
 
 } // namespace expected
