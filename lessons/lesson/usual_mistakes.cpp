@@ -25,25 +25,26 @@ std::string sentenceOf(const WrongWay &way) {
   const std::string instead = plainText(way.instead);
   switch (way.slip) {
   case Slip::ReversedDifference:
-    return words("{answer} takes {instead} for {right}: the difference goes the other way.",
+    return words("{answer} comes from {instead}. Here it must be {right}: the difference goes the other way.",
                  {{"instead", instead}, {"right", right}});
   case Slip::AddedInstead:
     return words("{answer} adds where {right} subtracts.", {{"right", right}});
   case Slip::SubtractedInstead:
-    return words("{answer} takes {instead} for {right}: a part is subtracted that is to be added.",
-                 {{"instead", instead}, {"right", right}});
+    return words(
+        "{answer} comes from {instead}. Here it must be {right}: a part is subtracted that is to be added.",
+        {{"instead", instead}, {"right", right}});
   case Slip::DroppedPart:
     return words(
-        "{answer} takes {instead} for {right}: {part} is left out.",
+        "{answer} comes from {instead}. Here it must be {right}: {part} is left out.",
         {{"instead", instead}, {"right", right}, {"part", plainText(droppedFrom(way.right, way.instead))}});
   case Slip::UpsideDown:
-    return words("{answer} is the fraction upside down: {bottom} goes below.",
+    return words("{answer} is the fraction upside down: {bottom} belongs in the denominator.",
                  {{"bottom", plainText(way.right->parts[1])}});
   case Slip::Undivided:
     return words("{answer} is only the numerator: it is not divided by {divisor} yet.",
                  {{"divisor", plainText(way.right->parts[1])}});
   case Slip::NoRoot:
-    return words("{answer} takes {instead} for {right}: the root is still to be taken.",
+    return words("{answer} comes from {instead}. Here it must be {right}: the root is still to be taken.",
                  {{"instead", instead}, {"right", right}});
   case Slip::RootOfDivisor:
     return words("{answer} is divided by the root of {divisor} only.",

@@ -108,7 +108,7 @@ std::string unitProductWords(const Out &at) {
 WorkingLine reachLine(const Out &at) {
   return asked(
       withNumbers((norm(at.w) * at.cosine).marked(at.vPrime->mark) == at.product / norm(at.v)),
-      words("So far does {w} reach along {v}. It is negative when {w} reaches backwards.", at.letters),
+      words("This is how far {w} reaches along {v}. It is negative when {w} reaches backwards.", at.letters),
       {{at.product, words("{answer} is {v}·{w}: divide by |{v}|.", at.letters)},
        {at.product / dot(at.v, at.v),
         words("{answer} is divided by {v}·{v}: divide by its root, |{v}|.", at.letters)},

@@ -165,11 +165,11 @@ LineTable<Out> lines() {
       {"c", &Out::areLines, commonLine},
       {"distance", &Out::areLines, distanceLine},
       {"s", &Out::isCrossing, [](const Out &at) { return stepsAlong(at, at.s, at.h.v); },
-       says("So many steps {g.v} lead along {g} to where the lines come nearest.")},
+       says("It takes this many steps {g.v} along {g} to get where the lines come nearest.")},
       {"foot1", &Out::isCrossing, [](const Out &at) { return withNumbers(at.F == at.g.A + at.s * at.g.v); },
        says("The point of {g} that is nearest to {h}.")},
       {"t", &Out::isCrossing, [](const Out &at) { return stepsAlong(at, at.t, at.g.v); },
-       says("So many steps {h.v} lead there along {h}.")},
+       says("It takes this many steps {h.v} to get there along {h}.")},
       {"foot2", &Out::isCrossing, [](const Out &at) { return withNumbers(at.G == at.h.A + at.t * at.h.v); },
        says("The point of {h} that is nearest to {g}.")}};
 }

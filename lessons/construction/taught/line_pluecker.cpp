@@ -49,7 +49,7 @@ WorkingLine ownMomentLine(const Out &at) {
   return asked(withProducts(at.m == cross(at.A, at.v)),
                at.meetsOrigin
                    ? words("The moment: the zero vector, because the line goes through the origin.")
-                   : words("The moment: perpendicular to the line, and to the way from the origin to {A}.",
+                   : words("The moment: perpendicular to the line, and to the arrow from the origin to {A}.",
                            at.letters),
                {{cross(at.v, at.A),
                  words("{answer} is the cross product the other way round: {v} × {A}.", at.letters)}});

@@ -217,7 +217,7 @@ std::string startWords(const Out &at) {
 
 std::string directionWords(const Out &at) {
   if (isZeroTerm(at.D))
-    return words("D = 0: the plane goes through O, and there is no way to go.");
+    return words("D = 0: the plane goes through O, and the distance is 0.");
   return directionHolds(at)
              ? words("From O to B it is a positive multiple of n. The notes say so, and here it is right.")
              : words("From O to B it is a negative multiple of n: the opposite direction. Refuted.");

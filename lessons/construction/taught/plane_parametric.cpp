@@ -95,7 +95,7 @@ WorkingLine implicitLine(const Out &at) {
 }
 
 std::string checkWords(const Out &at) {
-  return at.isInPlane ? words("{P} fulfils it, whatever s and t are.", at.letters)
+  return at.isInPlane ? words("{P} satisfies it, whatever s and t are.", at.letters)
                       : words("Not 0: {P} does not lie in the plane.", at.letters);
 }
 

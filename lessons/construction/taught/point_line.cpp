@@ -43,10 +43,12 @@ CaseWords tell(const Out &at) {
 WorkingLine parameterLine(const Out &at) {
   const Term wv = dot(at.w, at.v);
   const Term vv = dot(at.v, at.v);
-  return asked(withNumbers(at.t == wv / vv),
-               words("So many steps {v} lead from {A} to the foot: how far w reaches along {v}.", at.letters),
-               {{wv, words("{answer} is w·{v}: divide by {v}·{v}.", at.letters)},
-                {wv / norm(at.v), words("{answer} is divided by |{v}|: divide by {v}·{v}.", at.letters)}});
+  return asked(
+      withNumbers(at.t == wv / vv),
+      words("It takes this many steps {v} to get from {A} to the foot: that is how far w reaches along {v}.",
+            at.letters),
+      {{wv, words("{answer} is w·{v}: divide by {v}·{v}.", at.letters)},
+       {wv / norm(at.v), words("{answer} is divided by |{v}|: divide by {v}·{v}.", at.letters)}});
 }
 
 WorkingLine distanceLine(const Out &at) {

@@ -81,10 +81,11 @@ WorkingLine substituteLine(const Out &at) {
 
 std::string collectWords(const Out &at) {
   if (at.meet.denominator != 0)
-    return words("Collected by t: {r}·{n} stands before t, and f({Q}) is left over.", at.letters);
+    return words("Collected by t: {r}·{n} is the coefficient of t, and f({Q}) the constant term.",
+                 at.letters);
   return at.meet.numerator == 0
-             ? words("{r}·{n} is 0, and so is f({Q}): t drops out, and every t fulfils 0 = 0.", at.letters)
-             : words("{r}·{n} is 0: t drops out, and f({Q}) is not 0, so no t fulfils the equation.",
+             ? words("{r}·{n} is 0, and so is f({Q}): t drops out, and every t satisfies 0 = 0.", at.letters)
+             : words("{r}·{n} is 0: t drops out, and f({Q}) is not 0, so no t satisfies the equation.",
                      at.letters);
 }
 
@@ -115,7 +116,8 @@ std::string denominatorWords(const Out &at) {
 
 WorkingLine parameterLine(const Out &at) {
   return asked(withNumbers(at.t == at.numerator / at.denominator),
-               words("So many steps {r} lead from {Q} to the plane. It is a distance only when |{r}| = 1.",
+               words("It takes this many steps {r} to get from {Q} to the plane. This is a distance only "
+                     "when |{r}| = 1.",
                      at.letters),
                {wrongSignOf(at.t, at)});
 }

@@ -152,7 +152,8 @@ WorkingLine similarLine(const Out &at) {
 }
 
 WorkingLine rayLine(const Out &at) {
-  return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)), words("Along the ray: just as many times."));
+  return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)),
+              words("Along the ray, too: t times the step."));
 }
 
 std::string hitWords(const Out &at) {
@@ -168,10 +169,10 @@ Chain lengthOf(const Out &at, const Term &side, const Term &product) {
 WorkingLine facingLine(const Out &at) {
   const Term unit = at.n / norm(at.n);
   const bool turns = at.meet.denominator > 0;
-  return asked(withResult(at.facing == (turns ? -unit : unit)),
-               turns
-                   ? words("v_d is positive: the ray goes the way that {n} points, so take −{n}.", at.letters)
-                   : words("v_d is negative: the ray comes from where {n} points, so take {n}.", at.letters));
+  return asked(
+      withResult(at.facing == (turns ? -unit : unit)),
+      turns ? words("v_d is positive: the ray goes to the side that {n} points to, so take −{n}.", at.letters)
+            : words("v_d is negative: the ray comes from where {n} points, so take {n}.", at.letters));
 }
 
 LineTable<Out> lines() {
@@ -184,7 +185,7 @@ LineTable<Out> lines() {
       {"F", &Out::hasPlane, [](const Out &at) { return withNumbers(at.F == at.Q + at.r); },
        says("One step from {Q}.")},
       {"E", &Out::hasPlane, [](const Out &at) { return withNumbers(at.E == at.Q + alongNormal(at, at.vd)); },
-       says("What the step gains along {n}: the foot of its tip.")},
+       says("The foot of F on the line through {Q} along {n}.")},
       {"A", &Out::hasPlane,
        [](const Out &at) { return withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))); },
        says("The foot of {Q} on the line through the origin.")},
@@ -193,7 +194,7 @@ LineTable<Out> lines() {
        says("The foot of {Q} in the plane.")},
       {"rectangle", &Out::hasPlane, rectangleLine},
       {"t", &Out::crosses, [](const Out &at) { return withNumbers(at.t == at.v0 / at.vd); },
-       says("So many steps {r} lead from {Q} to the plane.")},
+       says("It takes this many steps {r} to get from {Q} to the plane.")},
       {"similar-n", &Out::crosses, similarLine},
       {"similar-r", &Out::crosses, rayLine},
       {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.H == at.Q + at.t * at.r); }, hitWords},

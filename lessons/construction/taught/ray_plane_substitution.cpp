@@ -215,8 +215,8 @@ WorkingLine parameterLine(const Out &at, std::size_t place) {
       {{rest / slope,
         words("{answer} has the wrong sign: the number without t changes its sign when it goes to the other "
               "side.")},
-       {slope / solved->parts.front(), words("{answer} is upside down: divide by the number before t.")},
-       {slope / rest, words("{answer} is upside down: divide by the number before t.")},
+       {slope / solved->parts.front(), words("{answer} is upside down: divide by the coefficient of t.")},
+       {slope / rest, words("{answer} is upside down: divide by the coefficient of t.")},
        {-rest, words("{answer} is not divided yet by the number before t.")}});
 }
 

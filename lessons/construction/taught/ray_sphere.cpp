@@ -123,9 +123,9 @@ CaseWords tell(const Out &at) {
   case SphereContacts::None:
     break;
   }
-  return {caseName,
-          words("{D} is negative and has no root: no t fits, and the line of the ray misses the sphere.",
-                {{"D", equation(at.D)}})};
+  return {caseName, words("{D} is negative and has no real square root: no t fits, and the line of the ray "
+                          "misses the sphere.",
+                          {{"D", equation(at.D)}})};
 }
 
 WorkingLine constantLine(const Out &at) {
@@ -154,22 +154,22 @@ std::string discriminantWords(const Out &at) {
   case SphereContacts::None:
     break;
   }
-  return words("Negative: it has no root, and no t fits. The line misses the sphere.");
+  return words("Negative: it has no real square root, and no t fits. The line misses the sphere.");
 }
 
 WorkingLine discriminantLine(const Out &at) {
   return asked(
       withNumbers(at.D == power(at.b, 2) - at.a * at.k), discriminantWords(at),
-      {{4 * at.D, words("{answer} is four times as much: b is only half of what stands before t, so there is "
+      {{4 * at.D, words("{answer} is four times as much: b is only half the coefficient of t, so there is "
                         "no 4 here.")},
        {power(at.b, 2) - 4 * (at.a * at.k),
-        words("{answer} has a 4 too many: b is only half of what stands before t.")}});
+        words("{answer} has a 4 too many: b is only half the coefficient of t.")}});
 }
 
 /// The mistakes that both solutions invite.
 std::vector<WrongTerm> solutionMistakes(const Out &at, const Term &t) {
   return {
-      {t / 2, words("{answer} is half of it: b is half of what stands before t, so divide by a, not by 2a.")},
+      {t / 2, words("{answer} is half of it: b is half the coefficient of t, so divide by a, not by 2a.")},
       {t * at.a, words("{answer} is not divided by a yet.")},
       {-t, words("{answer} has the wrong sign: the formula begins with −b.")}};
 }

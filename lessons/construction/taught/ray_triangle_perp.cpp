@@ -89,7 +89,7 @@ WorkingLine denominatorLine(const Out &at) {
   return asked(withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
                !at.isTriangle
                    ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
-                   : words("The denominator of s and t. It is zero only for a degenerate triangle."),
+                   : words("The denominator of s and t. It is zero only when the corners lie on one line."),
                {{-at.D, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
 }
 

@@ -123,8 +123,9 @@ WorkingLine testLine(const Out &at, const Chain &comparison, bool sees) {
       {says("It sees that something is wrong: {first} and {second} are the same point."),
        says("It sees that something is wrong: {first}, {second} and {third} are the same point.")}};
   constexpr FaultSentences unseen{
-      says("It is blind: {P0}, {P1} and {P2} lie on one line."),
-      {says("It is blind: {first} and {second} are the same point."), Sentence{""}}}; // of three all see it
+      says("It is blind: {P0}, {P1} and {P2} lie on one line, and this test misses it."),
+      {says("It is blind: {first} and {second} are the same point, and this test misses it."),
+       Sentence{""}}}; // of three all see it
   return line(comparison, at.isTriangle ? words("It finds nothing wrong, and nothing is.")
                                         : faultWords(at, sees ? seen : unseen));
 }

@@ -99,9 +99,10 @@ Texts sentencesFor(const Chain &chain, const Rational &answer) {
 TEST(UsualMistakes, OfADotProduct_AreFoundInItsLettersAndMultipliedOut) {
   const Chain f = at.f == dot(at.n, difference);
   EXPECT_EQ(sentencesFor(f, -30),
-            Texts{"{answer} takes P₀ − Q for Q − P₀: the difference goes the other way."});
-  EXPECT_EQ(sentencesFor(f, 57), Texts{"{answer} takes Q for Q − P₀: P₀ is left out."});
-  EXPECT_EQ(sentencesFor(f, 8), Texts{"{answer} takes 1·6 + 2·1 for 1·6 + 2·11 + 2·1: 2·11 is left out."});
+            Texts{"{answer} comes from P₀ − Q. Here it must be Q − P₀: the difference goes the other way."});
+  EXPECT_EQ(sentencesFor(f, 57), Texts{"{answer} comes from Q. Here it must be Q − P₀: P₀ is left out."});
+  EXPECT_EQ(sentencesFor(f, 8),
+            Texts{"{answer} comes from 1·6 + 2·1. Here it must be 1·6 + 2·11 + 2·1: 2·11 is left out."});
 }
 
 TEST(UsualMistakes, OfAChainWithNumbers_AreThoseOfItsLastSymbols) {

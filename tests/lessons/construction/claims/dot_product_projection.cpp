@@ -47,7 +47,7 @@ Claims dot_product_projection() {
        [](const TwoVectors &at, const Said &said) {
          return at.pointSomewhere() && isAngleBetween(at.v, at.w, said.at("degrees"));
        }},
-      {"So far does {w} reach along {v}. It is negative when {w} reaches backwards.", pointSomewhere},
+      {"This is how far {w} reaches along {v}. It is negative when {w} reaches backwards.", pointSomewhere},
       {"The arrow of length 1 in the direction of {v}.", hasFirst},
       {"The same number once more: with a unit vector there is nothing to divide by.", pointSomewhere},
       {"With a unit vector there is nothing to divide by.", hasFirst},

@@ -78,8 +78,8 @@ Claims lineClaims() {
       {"Zero: {h.A} lies on {g}, as every point of the same line does.", areSame},
       {"The distance of the lines: a length, so without the sign of the product.", areSkew},
       {"Zero: the lines meet.", meet},
-      {"So many steps {g.v} lead along {g} to where the lines come nearest.", areAcross},
-      {"So many steps {h.v} lead there along {h}.", areAcross},
+      {"It takes this many steps {g.v} along {g} to get where the lines come nearest.", areAcross},
+      {"It takes this many steps {h.v} to get there along {h}.", areAcross},
       {"The point of {g} that is nearest to {h}.", areAcross},
       {"The point of {h} that is nearest to {g}.", areAcross},
   });

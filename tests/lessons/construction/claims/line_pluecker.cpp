@@ -31,7 +31,7 @@ Claims line_pluecker() {
        [](const LineAlone &at) { return !at.isLine(); }},
       {"The moment is the zero vector: the line {g} goes through the origin.", hasOrigin},
       {"The six numbers of the line {g} are {direction} and {moment}.", lacksOrigin},
-      {"The moment: perpendicular to the line, and to the way from the origin to {A}.", lacksOrigin},
+      {"The moment: perpendicular to the line, and to the arrow from the origin to {A}.", lacksOrigin},
       {"The moment: the zero vector, because the line goes through the origin.", hasOrigin},
       {"Twice the direction gives twice the moment: six other numbers for the same line.", isLine},
       {"Always 0: the cross product {A} × {v} is perpendicular to {v}.", lacksOrigin},

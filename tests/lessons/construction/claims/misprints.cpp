@@ -115,7 +115,7 @@ Claims misprints() {
        [](const PrintedLines &at) { return at.isFacingRefuted(); }},
       {"Right: n itself.", [](const PrintedLines &at) { return at.crosses() && at.rn < 0; }},
       {"Right: the opposite of n.", [](const PrintedLines &at) { return at.isFacingRefuted(); }},
-      {"D = 0: the plane goes through O, and there is no way to go.",
+      {"D = 0: the plane goes through O, and the distance is 0.",
        [](const PrintedLines &at) { return at.isTriangle() && at.D == 0; }},
       {"From O to B it is a positive multiple of n. The notes say so, and here it is right.",
        [](const PrintedLines &at) { return at.isTriangle() && at.D > 0; }},

@@ -48,7 +48,7 @@ Claims plane_parametric() {
       {"The zero vector: u and v lie along one line and have no normal.",
        [](const PointBySides &at) { return !at.isTriangle(); }},
       {"The implicit equation, with u × v for the normal.", isTriangle},
-      {"{P} fulfils it, whatever s and t are.", isInPlane},
+      {"{P} satisfies it, whatever s and t are.", isInPlane},
       {"Not 0: {P} does not lie in the plane.", isOffPlane},
   });
   return together(

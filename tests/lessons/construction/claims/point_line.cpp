@@ -33,7 +33,8 @@ Claims point_line() {
        [](const PointAtLine &at) { return !at.isLine(); }},
       {"distance", always}, // in {distance}
       {"From {A} to {Q}.", always},
-      {"So many steps {v} lead from {A} to the foot: how far w reaches along {v}.", isLine},
+      {"It takes this many steps {v} to get from {A} to the foot: that is how far w reaches along {v}.",
+       isLine},
       {"The foot: the line's point nearest to {Q}.", isLine},
       {"From the foot to {Q}. It is perpendicular to the line: its dot product with {v} is 0.", isLine},
       {"The distance is the length of this arrow.", isLine},

@@ -67,7 +67,8 @@ Claims ray_sphere() {
       {"D = 0: the line touches the sphere in one point, {H}. But {t} is negative: it is behind the ray's "
        "start.",
        [](const RayAtSphere &at) { return at.isTouched() && at.leadsAway(); }},
-      {"{D} is negative and has no root: no t fits, and the line of the ray misses the sphere.", isMissed},
+      {"{D} is negative and has no real square root: no t fits, and the line of the ray misses the sphere.",
+       isMissed},
       {"From the centre {c} to the start {Q}.", always},
       {"Positive: {Q} is outside the sphere.", [](const RayAtSphere &at) { return at.startsOutside(); }},
       {"Negative: {Q} is inside the sphere.", [](const RayAtSphere &at) { return at.startsInside(); }},
@@ -75,7 +76,7 @@ Claims ray_sphere() {
       {"A quadratic equation: its solutions are the t where the line meets the sphere.", isLine},
       {"Positive: it has a root, and two t fit.", isCut},
       {"Zero: only one t fits. The line touches the sphere.", isTouched},
-      {"Negative: it has no root, and no t fits. The line misses the sphere.", isMissed},
+      {"Negative: it has no real square root, and no t fits. The line misses the sphere.", isMissed},
       {"√D is 0, so both solutions are this one.", isTouched},
       {"No t is negative: what the line meets, the ray meets too.",
        [](const RayAtSphere &at) {

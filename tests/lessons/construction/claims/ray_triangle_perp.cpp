@@ -33,7 +33,7 @@ Claims ray_triangle_perp() {
       {"Three of the five dot products: they belong to the triangle alone.", always},
       {"u perp: in the plane of the triangle and perpendicular to u.", isProper},
       {"v perp likewise: perpendicular to v.", isProper},
-      {"The denominator of s and t. It is zero only for a degenerate triangle.", isProper},
+      {"The denominator of s and t. It is zero only when the corners lie on one line.", isProper},
       {"Zero: u and v do not span a triangle, and there is nothing to divide by.",
        [](const RayAtTriangle &at) { return !at.isTriangle(); }},
       {"First the triangle's plane: so many steps {r} lead from {Q} to it.", crosses},

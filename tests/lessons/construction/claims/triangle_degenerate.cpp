@@ -56,11 +56,11 @@ Claims triangle_degenerate() {
        [](const TriangleCorners &at, const Said &said) { return at.isTriangle() && !isSeen(at, said); }},
       {"It sees that something is wrong: {P0}, {P1} and {P2} lie on one line.",
        [](const TriangleCorners &at, const Said &said) { return at.isCollinear() && isSeen(at, said); }},
-      {"It is blind: {first} and {second} are the same point.",
+      {"It is blind: {first} and {second} are the same point, and this test misses it.",
        [](const TriangleCorners &at, const Said &said) {
          return areSamePoint(at, said) && !isSeen(at, said);
        }},
-      {"It is blind: {P0}, {P1} and {P2} lie on one line.",
+      {"It is blind: {P0}, {P1} and {P2} lie on one line, and this test misses it.",
        [](const TriangleCorners &at, const Said &said) { return at.isCollinear() && !isSeen(at, said); }},
   });
   return together(
