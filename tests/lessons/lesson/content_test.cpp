@@ -319,7 +319,7 @@ TEST(Content, EveryFile_IsALessonOfItsNameInItsPlace) {
   for (const Lesson &lesson : library().lessons)
     ids.insert(lesson.id);
   EXPECT_EQ(ids, files);
-  EXPECT_EQ(library().lessons.front().id, "plane-implicit");
+  EXPECT_EQ(library().lessons.front().id, "dot-product-projection");
   EXPECT_TRUE(std::is_sorted(library().lessons.begin(), library().lessons.end(),
                              [](const Lesson &a, const Lesson &b) { return a.order < b.order; }));
 }
