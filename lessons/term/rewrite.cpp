@@ -1,6 +1,8 @@
 #include "lessons/term/rewrite.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace halfspace {
@@ -26,7 +28,11 @@ Term magnitudeOf(const Polynomial::Summand &summand, const Term &origin) {
   return factors.size() == 1 ? factors.front() : product(std::move(factors));
 }
 
-Term collected(const Polynomial &polynomial, const Term &origin) {
+/// Where the number of a polynomial stands: 9t + 30 of an equation, 11 − t of a coordinate, which has a start
+/// and goes on from there.
+enum class NumberPlace : std::uint8_t { Last, First };
+
+Term collected(const Polynomial &polynomial, const Term &origin, NumberPlace place) {
   if (const Real *constant = polynomial.number())
     return number(*constant, origin);
   std::vector<Term> summands;
@@ -38,6 +44,8 @@ Term collected(const Polynomial &polynomial, const Term &origin) {
   const Real &constant = polynomial.constant();
   if (areEqual(constant, Real(0)) != true)
     append(constant, number(magnitudeOf(constant), origin));
+  if (place == NumberPlace::First)
+    std::reverse(summands.begin(), summands.end());
   return summands.size() == 1 ? summands.front() : sum(std::move(summands));
 }
 
@@ -53,14 +61,14 @@ Term valueAsTerm(const TermValue &value, const Term &origin) {
   if (!value.isList) {
     const Real *constant = value.entries.front().number();
     return constant ? number(*constant, origin, sourceOf(origin, 0))
-                    : collected(value.entries.front(), origin);
+                    : collected(value.entries.front(), origin, NumberPlace::Last);
   }
   std::vector<Term> entries;
   entries.reserve(value.entries.size());
   for (std::size_t i = 0; i < value.entries.size(); ++i) {
     const Real *constant = value.entries[i].number();
     entries.push_back(constant ? number(*constant, origin, sourceOf(origin, i))
-                               : collected(value.entries[i], origin));
+                               : collected(value.entries[i], origin, NumberPlace::First));
   }
   return list(std::move(entries));
 }
@@ -138,6 +146,23 @@ bool hasVectorsForColumns(const Term &determinant) {
   return determinant->columns > 1 && determinant->parts.size() == determinant->columns;
 }
 
+bool isZero(const Term &term) {
+  const Real *value = numberOf(term);
+  return value && areEqual(*value, Real(0)) == true;
+}
+
+/// A sum without the summands that are 0; 0 where nothing is left.
+Term withoutZeros(const Term &term) {
+  if (term->kind != TermKind::Sum)
+    return term;
+  std::vector<Term> left;
+  std::copy_if(term->parts.begin(), term->parts.end(), std::back_inserter(left),
+               [](const Term &part) { return !isZero(part); });
+  if (left.empty())
+    return term->parts.front();
+  return left.size() == 1 ? left.front() : sum(std::move(left));
+}
+
 /// What is left of a determinant without a row and a column.
 Term minorOf(const Term &determinant, std::size_t row, std::size_t column) {
   const std::size_t size = determinant->columns;
@@ -205,6 +230,21 @@ Term multipliedOut(const Term &term) {
   if (!isProductOfVectors(rewritten) || !areListsThatMatch(rewritten))
     return rewritten;
   return rewritten->kind == TermKind::Dot ? summed(rewritten) : crosswise(rewritten);
+}
+
+Term distributed(const Term &term) {
+  const bool isMultiple =
+      term->kind == TermKind::Product && term->parts.size() == 2 && numberOf(term->parts.front());
+  if (!isMultiple)
+    return withoutZeros(partsBy(distributed, term));
+  const Term &factor = term->parts[0];
+  const Term &whole = term->parts[1];
+  if (whole->kind != TermKind::Sum || isZero(factor))
+    return calculated(term);
+  std::vector<Term> summands;
+  for (const Term &part : whole->parts)
+    summands.push_back(calculated(factor * part));
+  return sum(std::move(summands));
 }
 
 } // namespace halfspace

@@ -6,8 +6,9 @@
 
 namespace halfspace {
 
-/// The term as a number, a list of numbers, or, where unknowns are left, collected by them: 9t + 30. Each
-/// number remembers the term that it came from. A term that comes to nothing stays as it is.
+/// The term as a number, a list of numbers, or, where unknowns are left, collected by them: 9t + 30, and
+/// in lists (11 − t, 15 + 3t, 8 + 2t), as they count from a start. Each number remembers the term that it
+/// came from. A term that comes to nothing stays as it is.
 [[nodiscard]] Term calculated(const Term &term);
 
 /// factor·term with the factor calculated and its sign in front: −(2/3) v.
@@ -24,6 +25,10 @@ namespace halfspace {
 /// Numbers for all names, and products of vectors coordinate by coordinate: u·v as 1·4 + 2·5 + 3·6, u×v as
 /// (2·6 − 3·5, 3·4 − 1·6, 1·5 − 2·4); determinants along their first column.
 [[nodiscard]] Term multipliedOut(const Term &term);
+
+/// Multiples of sums summand by summand, without those that are 0: 1(11 − t) + 2(15 + 3t) + 0(8 + 2t) as
+/// 11 − t + 30 + 6t.
+[[nodiscard]] Term distributed(const Term &term);
 
 /// The numbers of a determinant: |a b c| with a column of numbers for each of the vectors, which has the
 /// vector's mark.

@@ -196,8 +196,10 @@ std::string substituteWords(const Meeting &meeting) {
 WorkingLine substituteLine(const Out &at, std::size_t place) {
   const Meeting &meeting = at.meetings[place];
   const Term inserted = dot(meeting.n, at.Q + unknown("t") * at.r) + meeting.d;
-  return askedEquation(condition((0 == inserted).then(multipliedOut(inserted)).then(calculated(inserted))),
-                       substituteWords(meeting));
+  const Term products = multipliedOut(inserted);
+  return askedEquation(
+      condition((0 == inserted).then(products).then(distributed(products)).then(calculated(inserted))),
+      substituteWords(meeting));
 }
 
 /// The equation slope·t + rest = 0 solved.

@@ -39,7 +39,18 @@ TEST(MultipliedOut, WritesDotProductsCoordinateByCoordinate) {
   EXPECT_EQ(in(multipliedOut, dot(at.n, r)), "1·(−1) + 2·3 + 2·2");
   EXPECT_EQ(in(multipliedOut, root(dot(at.n, at.n))), "√(1·1 + 2·2 + 2·2)");
   EXPECT_EQ(in(multipliedOut, dot(at.n, r) + 5), "1·(−1) + 2·3 + 2·2 + 5") << "one sum";
-  EXPECT_EQ(in(multipliedOut, dot(at.n, at.Q + t * r)), "1(−t + 11) + 2(3t + 15) + 2(2t + 8)");
+  EXPECT_EQ(in(multipliedOut, dot(at.n, at.Q + t * r)), "1(11 − t) + 2(15 + 3t) + 2(8 + 2t)");
+}
+
+TEST(Distributed, GoesSummandBySummand_AndLeavesOutWhatIsZero) {
+  const auto ofPlane = [](const ExactVec3 &normal) {
+    return in(distributed, multipliedOut(dot(list({normal.x, normal.y, normal.z}), at.Q + t * r) - 27));
+  };
+  EXPECT_EQ(ofPlane({1, 2, 2}), "11 − t + 30 + 6t + 16 + 4t − 27");
+  EXPECT_EQ(ofPlane({0, 3, 0}), "45 + 9t − 27");
+  EXPECT_EQ(ofPlane({-1, 0, 0}), "−11 + t − 27");
+  EXPECT_EQ(ofPlane({0, 0, 0}), "−27");
+  EXPECT_EQ(in(distributed, multipliedOut(dot(at.n, at.Q))), "11 + 30 + 16");
 }
 
 TEST(MultipliedOut, WritesCrossProductsAsDifferencesOfTwoProducts) {
