@@ -141,6 +141,14 @@ std::optional<Problem> readDrawn(const TextBlock &block, const std::string &file
   return readMarkIds(block, file, open.step);
 }
 
+std::optional<Problem> addTerm(const TextBlock &block, const std::string &file, OpenStep &open) {
+  auto term = readTerm(block, file);
+  if (!term)
+    return term.problem();
+  open.step.terms.push_back(std::move(*term));
+  return {};
+}
+
 /// A sort of blocks that are no code, by the word behind their fence.
 struct Instruction {
   std::string_view word;
@@ -155,6 +163,7 @@ constexpr std::array instructions{Instruction{"lines", &addBlock<readLines>},
                                   Instruction{"fragments", &addBlock<readFragments>},
                                   Instruction{"cost", &addBlock<readCost>},
                                   Instruction{"blank", &readBlank},
+                                  Instruction{"term", &addTerm},
                                   Instruction{"draw", &readDrawn}};
 
 /// Puts a fenced block where it belongs in the step.

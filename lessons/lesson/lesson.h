@@ -45,6 +45,9 @@
 //   ```cost
 //   {hits: nearest}
 //   ```
+//   ```term
+//   {name: signed distance, also: [signed distances], means: How far a point is from a plane.}
+//   ```
 //   ```note
 //   A slip in the lecture notes
 //   Words that are folded away.
@@ -148,6 +151,16 @@ struct StepCost {
 using StepBlock =
     std::variant<StepWords, StepLines, StepNote, Task, Prediction, StepFlight, StepFragments, StepCost>;
 
+/// A term that a step introduces, for the glossary. Plain text but for its meaning.
+struct TaughtTerm {
+  std::string name;
+  std::vector<std::string> also{}; ///< its other forms and names
+  MarkdownText meaning;            ///< a sentence, without live values
+  // In the file:
+  int line = 0;
+  int meaningLine = 0;
+};
+
 struct LessonStep {
   std::string title;
   std::vector<StepBlock> blocks; ///< from top to bottom; at least one StepLines and at most one Prediction
@@ -156,6 +169,7 @@ struct LessonStep {
   std::vector<std::string> drawn{};
   std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
   std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
+  std::vector<TaughtTerm> terms{};
 };
 
 // The blocks of one sort, from top to bottom.

@@ -284,6 +284,22 @@ Result<StepCost> readCost(const TextBlock &block, const std::string &file) {
   });
 }
 
+Result<TaughtTerm> readTerm(const TextBlock &block, const std::string &file) {
+  return readFields<TaughtTerm>(block, file, "term", {"name", "also", "means"}, [](FieldReader &fields) {
+    TaughtTerm term;
+    term.name = printable(fields.text("name"));
+    term.meaning = fields.text("means");
+    if (const DocumentNode *also = fields.optional("also"))
+      for (const DocumentNode *form : textsIn(*also, "term.also", fields))
+        term.also.push_back(printable(form->text));
+    if (const DocumentNode *name = fields.optional("name"))
+      term.line = name->line;
+    if (const DocumentNode *meaning = fields.optional("means"))
+      term.meaningLine = meaning->line;
+    return term;
+  });
+}
+
 Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
   constexpr std::string_view allOfOne = ".*";
   StepLines lines = namesIn(block);

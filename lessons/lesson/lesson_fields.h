@@ -29,6 +29,9 @@ struct TextBlock {
 /// Reads a ```cost block.
 [[nodiscard]] Result<StepCost> readCost(const TextBlock &block, const std::string &file);
 
+/// Reads a ```term block.
+[[nodiscard]] Result<TaughtTerm> readTerm(const TextBlock &block, const std::string &file);
+
 /// Reads a ```lines block: ids between commas or spaces.
 [[nodiscard]] Result<StepLines> readLines(const TextBlock &block, const std::string &file);
 

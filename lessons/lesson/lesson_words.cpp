@@ -23,7 +23,8 @@ LessonWords ofPage(const StepWords &block, const std::string &field) {
   return words;
 }
 
-LessonWords ofQuestion(const MarkdownText &text, int line, const std::string &field) {
+/// Of what fills in no values.
+LessonWords withoutValues(const MarkdownText &text, int line, const std::string &field) {
   LessonWords words(text, {line}, field);
   words.fillsInValues = false;
   return words;
@@ -47,13 +48,15 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
                            words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
                        },
                        [&](const Prediction &prediction) {
-                         words.push_back(ofQuestion(prediction.question, prediction.questionLine, "ask"));
+                         words.push_back(withoutValues(prediction.question, prediction.questionLine, "ask"));
                          for (const Prediction::Choice &choice : prediction.choices)
-                           words.push_back(ofQuestion(choice.text, choice.line, "choices"));
-                         words.push_back(ofQuestion(prediction.reason, prediction.reasonLine, "why"));
+                           words.push_back(withoutValues(choice.text, choice.line, "choices"));
+                         words.push_back(withoutValues(prediction.reason, prediction.reasonLine, "why"));
                        }};
   for (const StepBlock &block : step.blocks)
     std::visit(add, block);
+  for (const TaughtTerm &term : step.terms)
+    words.push_back(withoutValues(term.meaning, term.meaningLine, "means"));
   return words;
 }
 

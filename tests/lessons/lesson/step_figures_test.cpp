@@ -70,12 +70,13 @@ struct StepOf {
 
   [[nodiscard]] std::string name() const { return lesson.id + ", " + step.title; }
 
-  /// In words, question, tasks, notes and lines.
+  /// In words, question, tasks, notes and lines; what a term means is told without the figure.
   [[nodiscard]] std::vector<std::string> formulas() const {
     std::vector<std::string> all;
     for (const LessonWords &words : wordsOf(step))
-      for (std::string &formula : formulasIn(words.text.written()))
-        all.push_back(std::move(formula));
+      if (words.field != "means")
+        for (std::string &formula : formulasIn(words.text.written()))
+          all.push_back(std::move(formula));
     for (const WorkingLine &line : shown.working.lines)
       all.push_back(latexOf(line, LinePiece::Symbols));
     return all;

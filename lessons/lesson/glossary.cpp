@@ -1,0 +1,80 @@
+#include "lessons/lesson/glossary.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace halfspace {
+namespace {
+
+/// Terms are English words: their letters are those of ASCII, and others stay as they are.
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+std::string lowered(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), lower);
+  return small;
+}
+
+/// Whether a word goes on through the place: a letter, a digit or a byte of a sign beyond ASCII stands there.
+bool isOfWord(std::string_view text, std::size_t place) {
+  return place < text.size() && (std::isalnum(static_cast<unsigned char>(text[place])) != 0 ||
+                                 static_cast<unsigned char>(text[place]) >= 0x80);
+}
+
+bool beginsWord(std::string_view text, std::size_t place) {
+  return isOfWord(text, place) && (place == 0 || !isOfWord(text, place - 1));
+}
+
+/// A form of a term, in small letters.
+struct Form {
+  std::string text;
+  const GlossaryEntry *entry;
+};
+
+/// The longest first.
+std::vector<Form> formsOf(const std::vector<GlossaryEntry> &glossary) {
+  std::vector<Form> forms;
+  for (const GlossaryEntry &entry : glossary) {
+    forms.push_back({lowered(entry.term->name), &entry});
+    for (const std::string &form : entry.term->also)
+      forms.push_back({lowered(form), &entry});
+  }
+  std::stable_sort(forms.begin(), forms.end(),
+                   [](const Form &a, const Form &b) { return a.text.size() > b.text.size(); });
+  return forms;
+}
+
+} // namespace
+
+std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library) {
+  std::vector<GlossaryEntry> glossary;
+  for (const Lesson &lesson : library.lessons)
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+      for (const TaughtTerm &term : lesson.steps[step].terms)
+        glossary.push_back({&term, &lesson, static_cast<int>(step)});
+  std::stable_sort(glossary.begin(), glossary.end(), [](const GlossaryEntry &a, const GlossaryEntry &b) {
+    return lowered(a.term->name) < lowered(b.term->name);
+  });
+  return glossary;
+}
+
+std::vector<TermUse> termsIn(std::string_view text, const std::vector<GlossaryEntry> &glossary) {
+  const std::vector<Form> forms = formsOf(glossary);
+  const std::string small = lowered(text);
+  std::vector<TermUse> uses;
+  for (std::size_t place = 0; place < small.size(); ++place) {
+    if (!beginsWord(small, place))
+      continue;
+    const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form &form) {
+      return small.compare(place, form.text.size(), form.text) == 0 &&
+             !isOfWord(small, place + form.text.size());
+    });
+    if (found == forms.end())
+      continue;
+    uses.push_back({place, found->text.size(), found->entry});
+    place += found->text.size() - 1;
+  }
+  return uses;
+}
+
+} // namespace halfspace
