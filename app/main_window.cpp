@@ -89,7 +89,7 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   bar->addMenu(file);
   bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), bar));
   bar->addMenu(new ViewMenu(*camera, m_look, m_layout, m_panels, bar));
-  bar->addMenu(new LessonMenu(m_model, m_step.page(), m_step.flight(), contents, ownLessons, bar));
+  bar->addMenu(new LessonMenu(m_step.turner(), m_step.page(), m_step.flight(), contents, ownLessons, bar));
   bar->addMenu(new HelpMenu(*this, bar));
   createSceneTools(*camera);
 }

@@ -6,15 +6,15 @@
 #include "app/step/flight_keys.h"
 #include "app/step/flight_presenter.h"
 #include "app/step/page_presenter.h"
+#include "app/step/step_turner.h"
 
 namespace halfspace {
 
-LessonMenu::LessonMenu(SessionModel &model, PagePresenter &page, FlightPresenter &flight,
+LessonMenu::LessonMenu(StepTurner &turner, PagePresenter &page, FlightPresenter &flight,
                        ContentsPresenter &contents, OwnLessonFolders &ownLessons, QWidget *parent)
     : QMenu(tr("&Lesson"), parent) {
-  const auto stepBy = [&model](int steps) { model.setStep(model.session().step + steps); };
-  addItem(*this, tr("&Next Step"), QKeySequence("Ctrl+Right"), this, [stepBy] { stepBy(1); });
-  addItem(*this, tr("&Previous Step"), QKeySequence("Ctrl+Left"), this, [stepBy] { stepBy(-1); });
+  addItem(*this, tr("&Next Step"), QKeySequence("Ctrl+Right"), &turner, [&turner] { turner.turnBy(1); });
+  addItem(*this, tr("&Previous Step"), QKeySequence("Ctrl+Left"), &turner, [&turner] { turner.turnBy(-1); });
   addItem(*this, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), &page, &PagePresenter::openNextLesson);
   addItem(*this, tr("&Contents"), QKeySequence("Ctrl+L"), &contents, &ContentsPresenter::show);
   addFlightMenu(flight);

@@ -9,13 +9,13 @@ class ContentsPresenter;
 class FlightPresenter;
 class OwnLessonFolders;
 class PagePresenter;
-class SessionModel;
+class StepTurner;
 
 class LessonMenu : public QMenu {
   Q_OBJECT
 public:
   /// All must outlive it.
-  LessonMenu(SessionModel &model, PagePresenter &page, FlightPresenter &flight, ContentsPresenter &contents,
+  LessonMenu(StepTurner &turner, PagePresenter &page, FlightPresenter &flight, ContentsPresenter &contents,
              OwnLessonFolders &ownLessons, QWidget *parent);
 
 private:

@@ -16,7 +16,6 @@ PagePresenter::PagePresenter(SessionModel &model, LessonPage &page, WorkingPract
     : m_model(model), m_page(page), m_practice(practice), m_question(question), m_progress(progress),
       m_atStart(atStart) {
   practice.working().setWholeWorking([&model] { return workingOf(model.evaluation()); });
-  connect(&page, &LessonPage::stepRequested, this, [this](int step) { m_model.setStep(step); });
   connect(&page, &LessonPage::nextLessonRequested, this, &PagePresenter::openNextLesson);
   connect(&page, &LessonPage::predictionChosen, &question, &StepQuestion::answer);
   connect(&page, &LessonPage::predictionReopened, &question, &StepQuestion::reopen);

@@ -20,4 +20,8 @@ bool StepAtStart::lacksLines() {
   return m_model.isChanged() && m_model.shown().working.lines.size() < lines().working.lines.size();
 }
 
+bool StepAtStart::lacksLinesIn(const Scene &scene) {
+  return linesOfStep(m_model.step(), evaluate(scene)).working.lines.size() < lines().working.lines.size();
+}
+
 } // namespace halfspace

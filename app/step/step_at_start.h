@@ -20,6 +20,8 @@ public:
   [[nodiscard]] const LinesOfStep &lines();
   /// Whether the present case is one without lines that the step has at its start.
   [[nodiscard]] bool lacksLines();
+  /// Whether another scene of the lesson would be such a case.
+  [[nodiscard]] bool lacksLinesIn(const Scene &scene);
 
 private:
   const SessionModel &m_model;

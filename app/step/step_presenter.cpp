@@ -14,11 +14,12 @@ namespace halfspace {
 StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerProgress &progress)
     : m_progress(progress), m_scene(panels.scene().view()), m_inspector(panels.inspector()),
       m_practice(panels.practice()), m_question(model, progress), m_atStart(model),
-      m_freshStart(model, panels.input(), m_question, progress),
+      m_turner(model, m_atStart), m_freshStart(model, panels.input(), m_question, progress),
       m_flight(model, panels.page().flight(), panels.messages()),
       m_page(model, panels.page(), panels.practice(), m_question, progress, m_atStart),
       m_case(model, panels.scene().caseLine(), m_scene, m_question, m_atStart),
       m_highlights(m_scene, panels.scene().flat(), panels.practice().working()) {
+  connect(&panels.page(), &LessonPage::stepRequested, &m_turner, &StepTurner::turnTo);
   connect(&model, &SessionModel::stepChanged, this, &StepPresenter::showStep);
   connect(&model, &SessionModel::outcomeChanged, this, &StepPresenter::showOutcome);
   const WorkingPractice &practice = panels.practice();

@@ -8,6 +8,7 @@
 #include "app/step/page_presenter.h"
 #include "app/step/step_at_start.h"
 #include "app/step/step_question.h"
+#include "app/step/step_turner.h"
 
 namespace halfspace {
 
@@ -29,6 +30,7 @@ public:
 
   [[nodiscard]] StepQuestion &question() { return m_question; }
   [[nodiscard]] FreshStart &freshStart() { return m_freshStart; }
+  [[nodiscard]] StepTurner &turner() { return m_turner; }
   [[nodiscard]] PagePresenter &page() { return m_page; }
   [[nodiscard]] FlightPresenter &flight() { return m_flight; }
 
@@ -44,6 +46,7 @@ private:
   const WorkingPractice &m_practice;
   StepQuestion m_question;
   StepAtStart m_atStart;
+  StepTurner m_turner;
   FreshStart m_freshStart;
   FlightPresenter m_flight;
   PagePresenter m_page;

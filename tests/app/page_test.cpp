@@ -1,6 +1,7 @@
 // The page beside the scene, the drawer and the card over it, and how the window is shared among them.
 #include "app/panels/page_width.h"
 #include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -291,6 +292,33 @@ private slots:
     QVERIFY(!next->isEnabled());
     fixture.action(QKeySequence("Ctrl+Shift+Right"))->trigger();
     QCOMPARE(fixture.model().session().lesson, lessons.back().id);
+  }
+
+  void step_whoseLinesTheSceneLacks_beginsWithTheSceneBefore_whichCanBeUndone() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    SessionModel &model = fixture.model();
+    QAction *next = fixture.action(QKeySequence("Ctrl+Right"));
+    const auto edit = [&](const ExactVec3 &start, const ExactVec3 &direction) {
+      const RayObject ray{start, direction};
+      QCOMPARE(model.history().edit(ChangeObject{"L", ray}, "drag"), QString());
+    };
+    edit({10, 15, 8}, {-1, 3, 2});
+    while (model.step().title != "When there is no t")
+      next->trigger();
+    const Scene before = model.session().scene;
+    edit({10, 15, 8}, {0, 1, -1});
+    const Scene parallel = model.session().scene;
+    next->trigger();
+    QCOMPARE(QString::fromStdString(model.step().title), QString("The facing normal"));
+    QVERIFY(model.session().scene == before);
+    model.history().undo();
+    QVERIFY(model.session().scene == parallel);
+    QAction *previous = fixture.action(QKeySequence("Ctrl+Left"));
+    previous->trigger(); // to a step that has its lines in this case as well
+    QVERIFY(model.session().scene == parallel);
+    previous->trigger();
+    QVERIFY(model.session().scene == model.lesson().scene);
   }
 
   void contents_opened_leadToALesson_andGiveTheKeysBack() {
