@@ -1,10 +1,14 @@
 // The program's lessons as a course: nothing is used before it is taught.
 #include "lessons/lesson/glossary.h"
+#include "lessons/lesson/prose.h"
 #include "lessons/lesson/shown.h"
+#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <regex>
 #include <set>
 
 namespace halfspace {
@@ -105,6 +109,94 @@ TEST(Course, WhatALessonNeeds_ItSpeaksOf) {
   for (const Lesson &lesson : library().lessons)
     for (const Need &need : lesson.needs)
       EXPECT_TRUE(speaksOf(lesson, *library().find(need.id))) << lesson.id << " needs " << need.id;
+}
+
+/// The letters of a formula in plain text, with their indices: P₀, n_E, λ. Words as cos are none.
+std::set<std::string> lettersIn(const std::string &formula) {
+  static const std::regex letter("[a-z]{2,}|(?:[A-Za-z]|[\xCE\xCF][\x80-\xBF])"
+                                 "(?:\xE2\x82[\x80-\x9C]|_[A-Za-z0-9]+|⊥|′)*");
+  static const std::regex word("[a-z]{2,}");
+  std::set<std::string> letters;
+  for (std::sregex_iterator found(formula.begin(), formula.end(), letter), end; found != end; ++found)
+    if (!std::regex_match(found->str(), word))
+      letters.insert(found->str());
+  return letters;
+}
+
+/// Without its indices: P of P₁, for where one is known another is.
+std::string baseOf(std::string_view letter) {
+  const std::size_t bytes = static_cast<unsigned char>(letter.front()) < 0x80 ? 1 : 2;
+  return std::string(letter.substr(0, bytes));
+}
+
+void addBases(const std::set<std::string> &letters, std::set<std::string> &bases) {
+  for (const std::string &letter : letters)
+    bases.insert(baseOf(letter));
+}
+
+/// The letters of the scene, which the picture shows.
+void addLettersOfScene(const Lesson &lesson, std::set<std::string> &known) {
+  for (const Entry &entry : lesson.scene.entries) {
+    known.insert(baseOf(entry.name));
+    if (const auto *object = std::get_if<Object>(&entry.content))
+      for (const auto &coordinate : coordinatesOf(*object))
+        known.insert(baseOf(coordinate.name));
+  }
+}
+
+void addLettersOfLines(const Lesson &lesson, const LessonStep &step, std::set<std::string> &known) {
+  for (const WorkingLine &line : shownIn(step, evaluate(lesson.scene)).working.lines)
+    addBases(lettersIn(plainText(line)), known);
+}
+
+/// Of all formulas among the words of a step, but for notes: they quote others' letters.
+std::set<std::string> lettersInWords(const Lesson &lesson, const LessonStep &step) {
+  std::set<std::string> letters;
+  for (const LessonWords &piece : wordsOf(step))
+    if (piece.field != "note" && piece.field != "means")
+      for (const MarkdownFormula &formula : readMarkdown(piece.text)->formulas)
+        for (const MarkdownFormula::Side &side : formula.sides)
+          if (!side.isLive)
+            letters.merge(lettersIn(plainProse(side.text, lesson.macros)));
+  return letters;
+}
+
+/// Letters that the words of a step say the meaning of, where no line and no picture does before.
+const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
+  static const std::map<std::string, std::set<std::string>> letters{
+      {"cross-product", {"n"}},                    // u×v, as the same sentence says
+      {"determinant", {"P₀", "a", "c", "s", "t"}}, // four points; a rule for any vectors; two numbers
+      {"misprints", {"O", "R"}},                   // the origin; a printed letter
+      {"plane-implicit", {"a", "b", "d", "k"}},    // the numbers of any equation; any factor but 0
+      {"plane-plane", {"g"}},                      // the line that the picture shows
+      {"pluecker-lines", {"G", "k", "α"}},         // the nearest point of h; any factor; an angle
+      {"pluecker-planes", {"S"}},                  // the common point
+      {"point-line", {"F"}},                       // the foot
+      {"ray-plane-picture", {"O"}},                // the origin
+      {"ray-plane-substitution", {"H"}},           // the first hit
+      {"ray-polygon-pluecker", {"I"}},             // where the line meets the plane
+      {"ray-triangle-cramer", {"λ"}},              // the number of steps along the ray
+      {"ray-triangle-perp", {"I"}},                // where the line meets the plane
+      {"signed-distance", {"F"}}};                 // the foot
+  return letters;
+}
+
+TEST(Course, NoLetterIsUsedBeforeItIsSaidWhatItIs) {
+  std::map<std::string, std::set<std::string>> unknown; // by lesson
+  for (const Lesson &lesson : library().lessons) {
+    std::set<std::string> known{"x", "y", "z"};
+    for (const Lesson *needed : needsOf(lesson))
+      for (const LessonStep &step : needed->steps)
+        addLettersOfLines(*needed, step, known);
+    addLettersOfScene(lesson, known);
+    for (const LessonStep &step : lesson.steps) {
+      addLettersOfLines(lesson, step, known);
+      for (const std::string &letter : lettersInWords(lesson, step))
+        if (known.insert(baseOf(letter)).second) // told once
+          unknown[lesson.id].insert(letter);
+    }
+  }
+  EXPECT_EQ(unknown, lettersSaidInWords());
 }
 
 } // namespace
