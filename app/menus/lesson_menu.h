@@ -7,6 +7,7 @@ namespace halfspace {
 
 class ContentsPresenter;
 class FlightPresenter;
+class GlossaryPresenter;
 class OwnLessonFolders;
 class PagePresenter;
 class StepTurner;
@@ -16,7 +17,7 @@ class LessonMenu : public QMenu {
 public:
   /// All must outlive it.
   LessonMenu(StepTurner &turner, PagePresenter &page, FlightPresenter &flight, ContentsPresenter &contents,
-             OwnLessonFolders &ownLessons, QWidget *parent);
+             GlossaryPresenter &glossary, OwnLessonFolders &ownLessons, QWidget *parent);
 
 private:
   /// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.

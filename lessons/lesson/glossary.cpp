@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -48,10 +49,12 @@ std::vector<Form> formsOf(const std::vector<GlossaryEntry> &glossary) {
 
 std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library) {
   std::vector<GlossaryEntry> glossary;
+  std::set<std::string> names;
   for (const Lesson &lesson : library.lessons)
     for (std::size_t step = 0; step < lesson.steps.size(); ++step)
       for (const TaughtTerm &term : lesson.steps[step].terms)
-        glossary.push_back({&term, &lesson, static_cast<int>(step)});
+        if (names.insert(lowered(term.name)).second)
+          glossary.push_back({&term, &lesson, static_cast<int>(step)});
   std::stable_sort(glossary.begin(), glossary.end(), [](const GlossaryEntry &a, const GlossaryEntry &b) {
     return lowered(a.term->name) < lowered(b.term->name);
   });

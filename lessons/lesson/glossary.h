@@ -12,7 +12,8 @@ struct GlossaryEntry {
   int step;
 };
 
-/// All terms of a library, by their names as a dictionary sorts them. The library must outlive them.
+/// All terms of a library, by their names as a dictionary sorts them; of those that several lessons teach,
+/// the first. The library must outlive them.
 [[nodiscard]] std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library);
 
 /// A place in a text where a term stands.

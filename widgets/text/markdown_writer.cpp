@@ -1,5 +1,6 @@
 #include "widgets/text/markdown_writer.h"
 
+#include "lessons/lesson/term_links.h"
 #include "widgets/text/picture_object.h"
 #include "widgets/text/unbroken.h"
 
@@ -314,8 +315,9 @@ private:
   void setLink(QTextCharFormat &format, const std::string &address) const {
     format.setAnchor(true);
     format.setAnchorHref(QString::fromStdString(address));
-    format.setFontUnderline(true);
-    if (m_style.link.isValid())
+    const bool isTerm = !termAt(address).empty(); // many words are: these must not shout
+    format.setUnderlineStyle(isTerm ? QTextCharFormat::DotLine : QTextCharFormat::SingleUnderline);
+    if (m_style.link.isValid() && !isTerm)
       format.setForeground(m_style.link);
   }
 

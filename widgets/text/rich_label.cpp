@@ -1,5 +1,6 @@
 #include "widgets/text/rich_label.h"
 
+#include "lessons/lesson/term_links.h"
 #include "widgets/colors.h"
 #include "widgets/speak_by.h"
 
@@ -22,6 +23,13 @@ namespace {
 /// The width that a text gets where nothing tells, in letters.
 constexpr int usualLetters = 46;
 constexpr int fewestLetters = 16;
+
+/// What is told of a link before it is clicked: where it leads to.
+QString tipOf(const QString &address) {
+  const std::string text = address.toStdString();
+  const auto term = QString::fromStdString(std::string(termAt(text)));
+  return term.isEmpty() ? address : RichLabel::tr("Look up “%1” in the glossary.").arg(term);
+}
 
 /// Tells a screen reader of the words.
 class SpokenLabel : public QAccessibleWidget {
@@ -147,7 +155,7 @@ bool RichLabel::event(QEvent *event) {
 
 void RichLabel::showTip(const QHelpEvent &help) {
   const QString problem = problemAt(help.pos());
-  const QString tip = problem.isEmpty() ? linkAt(help.pos()) : problem;
+  const QString tip = problem.isEmpty() ? tipOf(linkAt(help.pos())) : problem;
   if (tip.isEmpty())
     QToolTip::hideText();
   else

@@ -20,7 +20,7 @@ std::string term(const std::string &name, const std::string &also) {
 
 LessonLibrary samples() {
   return {{lessonWith("a", term("ray", "rays") + term("Distance", "distances")),
-           lessonWith("b", term("signed distance", ""))},
+           lessonWith("b", term("signed distance", "") + term("ray", ""))},
           {}};
 }
 

@@ -1,0 +1,133 @@
+#include "widgets/lesson/glossary_dialog.h"
+
+#include "widgets/text/rich_label.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollBar>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// The usual width of the whole, and that of a figure, in letters.
+constexpr int lettersInAll = 90;
+constexpr int lettersBeside = 56;
+/// Above and below a term of the list, in pixels.
+constexpr int rowGap = 1;
+/// The height of the whole, in lines.
+constexpr int usualLines = 26;
+/// Of a figure, in its width.
+constexpr double figureHeight = 0.6;
+/// The size of the term above its meaning, in that of other words.
+constexpr double largeWords = 1.3;
+
+bool has(const GlossaryDialog::Entry &entry, const QString &words) {
+  return entry.term.contains(words, Qt::CaseInsensitive) || entry.also.contains(words, Qt::CaseInsensitive);
+}
+
+} // namespace
+
+GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
+    : QDialog(parent), m_search(new QLineEdit), m_list(new QListWidget), m_term(new QLabel),
+      m_meaning(new RichLabel(typesetter)), m_picture(new QLabel), m_lesson(new QPushButton) {
+  setObjectName("glossary");
+  setWindowTitle(tr("Glossary"));
+  m_search->setObjectName("termSearch");
+  m_search->setPlaceholderText(tr("Search"));
+  m_search->setAccessibleName(tr("Search the terms"));
+  m_search->setClearButtonEnabled(true);
+  m_list->setObjectName("terms");
+  m_list->setAccessibleName(tr("Terms"));
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_list->setSpacing(rowGap);
+  QFont large = m_term->font();
+  large.setPointSizeF(large.pointSizeF() * largeWords);
+  large.setBold(true);
+  m_term->setFont(large);
+  m_term->setTextFormat(Qt::PlainText);
+  m_term->setWordWrap(true);
+  m_lesson->setObjectName("termLesson");
+  m_lesson->setAutoDefault(false); // Enter in the search is not meant for it
+  const int letter = fontMetrics().averageCharWidth();
+  auto *terms = new QVBoxLayout;
+  terms->addWidget(m_search);
+  terms->addWidget(m_list, 1);
+  auto *details = new QVBoxLayout;
+  details->addWidget(m_term);
+  details->addWidget(m_meaning);
+  details->addWidget(m_picture);
+  details->addStretch(1);
+  details->addWidget(m_lesson, 0, Qt::AlignLeft);
+  auto *columns = new QHBoxLayout(this);
+  columns->addLayout(terms);
+  columns->addLayout(details, 1);
+  connect(m_search, &QLineEdit::textChanged, this, &GlossaryDialog::search);
+  connect(m_list, &QListWidget::currentRowChanged, this, &GlossaryDialog::showChosen);
+  connect(m_lesson, &QPushButton::clicked, this,
+          [this] { emit lessonWanted(static_cast<std::size_t>(m_list->currentRow())); });
+  resize(lettersInAll * letter, usualLines * fontMetrics().lineSpacing());
+}
+
+void GlossaryDialog::setEntries(std::vector<Entry> entries, Figure figure) {
+  m_list->clear();
+  m_entries = std::move(entries);
+  m_figure = std::move(figure);
+  for (const Entry &entry : m_entries)
+    m_list->addItem(entry.term);
+  const int edges = 2 * m_list->frameWidth() + m_list->verticalScrollBar()->sizeHint().width();
+  m_list->setFixedWidth(m_list->sizeHintForColumn(0) + edges); // each term is seen whole
+  search(m_search->text());
+}
+
+void GlossaryDialog::setTheme(const Theme &theme) {
+  m_meaning->setInk(theme.ink, theme);
+  showChosen();
+}
+
+void GlossaryDialog::open(const QString &term) {
+  const auto found = std::find_if(m_entries.begin(), m_entries.end(),
+                                  [&](const Entry &entry) { return entry.term == term; });
+  if (found != m_entries.end()) {
+    m_search->clear(); // else it may be hidden
+    m_list->setCurrentRow(static_cast<int>(found - m_entries.begin()));
+  }
+  show();
+  raise();
+  activateWindow();
+  m_search->setFocus();
+}
+
+void GlossaryDialog::search(const QString &words) {
+  int first = -1;
+  for (int row = 0; row < m_list->count(); ++row) {
+    const bool isFound = has(m_entries[static_cast<std::size_t>(row)], words.trimmed());
+    m_list->item(row)->setHidden(!isFound);
+    if (isFound && first < 0)
+      first = row;
+  }
+  const QListWidgetItem *chosen = m_list->currentItem();
+  if (!chosen || chosen->isHidden())
+    m_list->setCurrentRow(first);
+}
+
+void GlossaryDialog::showChosen() {
+  const int row = m_list->currentRow();
+  m_lesson->setEnabled(row >= 0);
+  if (row < 0)
+    return;
+  const auto place = static_cast<std::size_t>(row);
+  const Entry &entry = m_entries[place];
+  m_term->setText(entry.term);
+  m_meaning->setMarkdown(entry.meaning);
+  m_lesson->setText(tr("Open “%1”", "a lesson").arg(entry.lesson));
+  const int width = lettersBeside * fontMetrics().averageCharWidth();
+  m_picture->setPixmap(m_figure(place, {width, static_cast<int>(width * figureHeight)}));
+}
+
+} // namespace halfspace
