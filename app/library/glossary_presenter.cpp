@@ -69,8 +69,8 @@ void GlossaryPresenter::fill() {
     QStringList also;
     for (const std::string &form : term->also)
       also << QString::fromStdString(form);
-    entries.push_back({QString::fromStdString(term->name), also.join(tr(", ")),
-                       QString::fromStdString(term->meaning), QString::fromStdString(lesson->title)});
+    entries.push_back({QString::fromStdString(term->name), also.join(tr(", ")), term->meaning,
+                       QString::fromStdString(lesson->title)});
   }
   m_dialog->setEntries(std::move(entries), [this](std::size_t entry, const QSize &room) {
     return figureOf(m_entries.at(entry), room);

@@ -29,7 +29,9 @@ void PagePresenter::showLesson() {
   m_page.setNextLesson(next ? QString::fromStdString(next->title) : QString());
 }
 
-void PagePresenter::showStep() { m_page.showStep(m_model.step(), m_model.session().step); }
+void PagePresenter::showStep() {
+  m_page.showStep(m_model.step(), m_model.session().step, glossaryOf(m_model.library()));
+}
 
 void PagePresenter::showLines() {
   m_practice.setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);

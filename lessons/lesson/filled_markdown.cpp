@@ -4,6 +4,7 @@
 #include "lessons/lesson/prose.h"
 #include "lessons/term/written.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -135,6 +136,13 @@ private:
 };
 
 } // namespace
+
+bool hasLiveValues(const Markdown &markdown) {
+  return std::any_of(markdown.formulas.begin(), markdown.formulas.end(), [](const MarkdownFormula &formula) {
+    return std::any_of(formula.sides.begin(), formula.sides.end(),
+                       [](const MarkdownFormula::Side &side) { return side.isLive; });
+  });
+}
 
 FilledMarkdown filledIn(const Markdown &markdown, const LiveValueOf &valueOf) {
   return Filler(markdown, valueOf).fill();

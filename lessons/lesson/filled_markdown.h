@@ -27,6 +27,9 @@ struct FilledMarkdown {
   bool operator==(const FilledMarkdown &) const = default;
 };
 
+/// Whether some of the words become others as the scene does.
+[[nodiscard]] bool hasLiveValues(const Markdown &markdown);
+
 /// A rounded number's ≈ takes the place of an = before it.
 [[nodiscard]] FilledMarkdown filledIn(const Markdown &markdown, const LiveValueOf &valueOf);
 

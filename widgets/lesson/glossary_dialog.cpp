@@ -124,7 +124,7 @@ void GlossaryDialog::showChosen() {
   const auto place = static_cast<std::size_t>(row);
   const Entry &entry = m_entries[place];
   m_term->setText(entry.term);
-  m_meaning->setMarkdown(entry.meaning);
+  m_meaning->setWords(withNames(entry.meaning.markdown()));
   m_lesson->setText(tr("Open “%1”", "a lesson").arg(entry.lesson));
   const int width = lettersBeside * fontMetrics().averageCharWidth();
   m_picture->setPixmap(m_figure(place, {width, static_cast<int>(width * figureHeight)}));

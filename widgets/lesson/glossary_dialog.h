@@ -1,6 +1,7 @@
 // The glossary: what each term means, with a figure, and the way to the lesson that teaches it.
 #pragma once
 
+#include "lessons/reading/markdown_text.h"
 #include "widgets/picture/theme.h"
 
 #include <QDialog>
@@ -26,9 +27,9 @@ class GlossaryDialog : public QDialog {
 public:
   struct Entry {
     QString term;
-    QString also;    ///< its other forms, between commas; may be empty
-    QString meaning; ///< in Markdown
-    QString lesson;  ///< the title of the lesson that teaches it
+    QString also; ///< its other forms, between commas; may be empty
+    MarkdownText meaning;
+    QString lesson; ///< the title of the lesson that teaches it
   };
   /// A figure for the entry with an index, at most of this size; null where there is none.
   using Figure = std::function<QPixmap(std::size_t entry, QSize room)>;

@@ -32,7 +32,7 @@ std::filesystem::path folderOf(const Lesson &lesson) {
 LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_theme(themes().front()), m_practice(practice),
       m_scroll(new QScrollArea), m_page(new QVBoxLayout), m_head(new PageHead(practice)),
-      m_blocks(new StepBlocks(m_typesetter, {}, {}, practice.working(), m_flight)), m_foot(new PageFoot) {
+      m_blocks(new StepBlocks(m_typesetter, {}, {}, {}, practice.working(), m_flight)), m_foot(new PageFoot) {
   layOut();
   connect(m_foot, &PageFoot::stepRequested, this, &LessonPage::stepRequested);
   connect(m_foot, &PageFoot::nextLessonRequested, this, &LessonPage::nextLessonRequested);
@@ -77,18 +77,18 @@ void LessonPage::setLesson(const Lesson &lesson) {
   m_stepCount = static_cast<int>(titles.size());
 }
 
-void LessonPage::showStep(const LessonStep &step, int number) {
+void LessonPage::showStep(const LessonStep &step, int number, const std::vector<GlossaryEntry> &glossary) {
   m_head->setStep(number, m_stepCount, QString::fromStdString(step.title));
   // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.
   if (isAncestorOf(QApplication::focusWidget()))
     setFocus();
   m_foot->setStep(number);
-  makeBlocks(step);
+  makeBlocks(step, glossary);
   m_scroll->verticalScrollBar()->setValue(0);
 }
 
-void LessonPage::makeBlocks(const LessonStep &step) {
-  auto *blocks = new StepBlocks(m_typesetter, step, {m_folder}, m_practice.working(), m_flight);
+void LessonPage::makeBlocks(const LessonStep &step, const std::vector<GlossaryEntry> &glossary) {
+  auto *blocks = new StepBlocks(m_typesetter, step, glossary, {m_folder}, m_practice.working(), m_flight);
   connect(blocks, &StepBlocks::predictionChosen, this, [this](const QString &word) {
     // The choices are disabled now: the next widget that takes keys may be a number.
     if (!m_foot->focusNext())

@@ -1,6 +1,7 @@
 // The page of a step: words, worked lines, question and tasks in the order of the lesson.
 #pragma once
 
+#include "lessons/lesson/glossary.h"
 #include "widgets/lesson/page_foot.h"
 #include "widgets/lesson/page_head.h"
 #include "widgets/lesson/step_blocks.h"
@@ -24,9 +25,9 @@ public:
   /// What follows are steps of this lesson, and what they have in common is its. Which of them is shown comes
   /// by `showStep`.
   void setLesson(const Lesson &lesson);
-  /// Shows a step, which has this number among those of the lesson, counted from 0. Its words come by
-  /// `showWords`.
-  void showStep(const LessonStep &step, int number);
+  /// Shows a step, which has this number among those of the lesson, counted from 0, with the glossary that
+  /// its words lead to. They come by `showWords`.
+  void showStep(const LessonStep &step, int number, const std::vector<GlossaryEntry> &glossary);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
   /// Sets the step's words with what their live values are now. These are asked for again where words come
@@ -59,7 +60,7 @@ protected:
 private:
   void layOut();
   /// Puts the step's blocks on the page, instead of those that were there.
-  void makeBlocks(const LessonStep &step);
+  void makeBlocks(const LessonStep &step, const std::vector<GlossaryEntry> &glossary);
   /// So that no line of words gets too long.
   void setMargins();
   void scrollTo(const QWidget &part);

@@ -1,5 +1,6 @@
 #include "widgets/lesson/step_blocks.h"
 
+#include "lessons/lesson/term_links.h"
 #include "widgets/lesson/note_fold.h"
 #include "widgets/working/step_working.h"
 
@@ -11,20 +12,26 @@
 
 namespace halfspace {
 
-StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step, LessonPictures pictures,
+StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step,
+                       const std::vector<GlossaryEntry> &glossary, LessonPictures pictures,
                        StepWorking &working, FlightBlocks &flight)
     : m_typesetter(typesetter), m_pictures(std::move(pictures)), m_working(working), m_flight(flight) {
   working.dropBlocks();
   flight.dropBlocks();
   auto *column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  TermLinks links(glossary, step);
+  const Overloaded makeBlock{[&](const StepWords &words) { return blockOf(words, links); },
+                             [this](const auto &each) { return blockOf(each); }};
   for (const StepBlock &block : step.blocks)
-    column->addWidget(std::visit([this](const auto &each) { return blockOf(each); }, block));
+    column->addWidget(std::visit(makeBlock, block));
 }
 
-QWidget *StepBlocks::blockOf(const StepWords &words) {
+QWidget *StepBlocks::blockOf(const StepWords &words, TermLinks &links) {
   auto *label = new RichLabel(m_typesetter);
-  add(words, *label);
+  Markdown linked = words.text.markdown();
+  links.addTo(linked);
+  add(std::move(linked), *label);
   return label;
 }
 
@@ -33,7 +40,7 @@ QWidget *StepBlocks::blockOf(const StepLines &) { return m_working.addBlock(); }
 QWidget *StepBlocks::blockOf(const StepNote &note) {
   auto *fold = new NoteFold(m_typesetter, QString::fromStdString(note.title));
   m_notes.push_back(fold);
-  add(note.words, fold->words());
+  add(note.words.text.markdown(), fold->words());
   connect(fold, &NoteFold::opened, this, [this, fold] { emit reached(fold); });
   return fold;
 }
@@ -41,10 +48,10 @@ QWidget *StepBlocks::blockOf(const StepNote &note) {
 QWidget *StepBlocks::blockOf(const Task &task) {
   auto *row = new TaskRow(m_typesetter);
   m_tasks.push_back(row);
-  m_filled.push_back(std::make_unique<WhenSeen>(
-      *row, [this, row, instruction = task.instruction, now = task.now, answer = task.answer] {
-        row->setWords(filled(instruction), filledWhenSeen(now), filledWhenSeen(answer));
-      }));
+  const auto fill = [this, row, instruction = task.instruction, now = task.now, answer = task.answer] {
+    row->setWords(filledIn(instruction.markdown(), m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
+  };
+  m_filled.push_back({std::make_unique<WhenSeen>(*row, fill), true}); // the lazy parts of most are
   return row;
 }
 
@@ -61,27 +68,26 @@ QWidget *StepBlocks::blockOf(const Prediction &prediction) {
   return m_prediction;
 }
 
-void StepBlocks::add(const StepWords &words, RichLabel &label) {
+void StepBlocks::add(Markdown words, RichLabel &label) {
   label.setPictures(m_pictures);
   m_labels.push_back(&label);
-  m_filled.push_back(
-      std::make_unique<WhenSeen>(label, [this, &label, text = words.text] { label.setWords(filled(text)); }));
+  const bool areLive = hasLiveValues(words);
+  const auto fill = [this, &label, words = std::move(words)] { label.setWords(filledIn(words, m_valueOf)); };
+  m_filled.push_back({std::make_unique<WhenSeen>(label, fill), areLive});
 }
 
 void StepBlocks::showWords(LiveValueOf valueOf) {
+  const bool areFirst = !m_valueOf;
   m_valueOf = std::move(valueOf);
-  for (const auto &words : m_filled)
-    words->renew();
+  for (const auto &[words, areLive] : m_filled)
+    if (areFirst || areLive)
+      words->renew();
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
 
-FilledMarkdown StepBlocks::filled(const MarkdownText &words) const {
-  return filledIn(words.markdown(), m_valueOf);
-}
-
 Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const MarkdownText &words) const {
-  return Lazy<FilledMarkdown>([this, words] { return filled(words); });
+  return Lazy<FilledMarkdown>([this, words] { return filledIn(words.markdown(), m_valueOf); });
 }
 
 void StepBlocks::setTaskStates(const std::vector<TaskState> &states) {

@@ -1,7 +1,7 @@
 // The blocks of one step on the page.
 #pragma once
 
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/glossary.h"
 #include "widgets/lesson/flight_blocks.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/lesson/task_row.h"
@@ -11,15 +11,16 @@ namespace halfspace {
 
 class NoteFold;
 class StepWorking;
+class TermLinks;
 
 /// Words, worked lines, question and tasks, in the order of the lesson. They are made for one step.
 class StepBlocks : public QWidget {
   Q_OBJECT
 public:
   /// The lines and the flight forget the blocks that they had, and get those of this step. All must outlive
-  /// it but the step.
-  StepBlocks(const Typesetter &typesetter, const LessonStep &step, LessonPictures pictures,
-             StepWorking &working, FlightBlocks &flight);
+  /// it but the step and the glossary, to which its words lead.
+  StepBlocks(const Typesetter &typesetter, const LessonStep &step, const std::vector<GlossaryEntry> &glossary,
+             LessonPictures pictures, StepWorking &working, FlightBlocks &flight);
 
   /// Sets the words with what their live values are now, which are asked for again where words come into
   /// sight.
@@ -40,7 +41,7 @@ signals:
   void reached(const QWidget *part);
 
 private:
-  [[nodiscard]] QWidget *blockOf(const StepWords &words);
+  [[nodiscard]] QWidget *blockOf(const StepWords &words, TermLinks &links);
   [[nodiscard]] QWidget *blockOf(const StepLines &lines);
   [[nodiscard]] QWidget *blockOf(const StepNote &note);
   [[nodiscard]] QWidget *blockOf(const Task &task);
@@ -49,16 +50,21 @@ private:
     return m_flight.addBlock(ofFlight);
   }
   /// A label is to show these words.
-  void add(const StepWords &words, RichLabel &label);
-  [[nodiscard]] FilledMarkdown filled(const MarkdownText &words) const;
+  void add(Markdown words, RichLabel &label);
   [[nodiscard]] Lazy<FilledMarkdown> filledWhenSeen(const MarkdownText &words) const;
+
+  /// The words of a label or of a task, which become others where they have live values.
+  struct FilledWords {
+    std::unique_ptr<WhenSeen> words;
+    bool areLive;
+  };
 
   const Typesetter &m_typesetter;
   LessonPictures m_pictures;
   StepWorking &m_working;
   FlightBlocks &m_flight;
-  LiveValueOf m_valueOf;                           ///< empty before the first are shown
-  std::vector<std::unique_ptr<WhenSeen>> m_filled; ///< the words of labels and tasks
+  LiveValueOf m_valueOf; ///< empty before the first are shown
+  std::vector<FilledWords> m_filled;
   std::vector<RichLabel *> m_labels;
   std::vector<NoteFold *> m_notes;
   std::vector<TaskRow *> m_tasks;

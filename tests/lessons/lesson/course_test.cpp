@@ -1,8 +1,8 @@
 // The program's lessons as a course: nothing is used before it is taught.
 #include "lessons/lesson/glossary.h"
+#include "lessons/lesson/lesson_words.h"
 #include "lessons/lesson/prose.h"
 #include "lessons/lesson/shown.h"
-#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ std::string textOf(const Lesson &lesson, const LessonStep &step) {
   std::string text = step.title;
   for (const LessonWords &piece : wordsOf(step))
     if (piece.field != "means") // is read in the glossary
-      text += "\n" + piece.text;
+      text += "\n" + piece.text.written();
   for (const WorkingLine &line : shownIn(step, evaluate(lesson.scene)).working.lines)
     text += "\n" + line.sentence;
   for (const Lesson &other : library().lessons)
@@ -96,7 +96,7 @@ bool speaksOf(const Lesson &lesson, const Lesson &needed) {
   const std::set<std::string> taught = termsOf({&needed});
   for (const LessonStep &step : lesson.steps) {
     for (const LessonWords &piece : wordsOf(step))
-      if (piece.text.find(needed.title) != std::string::npos)
+      if (piece.text.written().find(needed.title) != std::string::npos)
         return true;
     for (const TermUse &use : termsIn(textOf(lesson, step), glossary))
       if (taught.contains(use.entry->term->name))
@@ -154,7 +154,7 @@ std::set<std::string> lettersInWords(const Lesson &lesson, const LessonStep &ste
   std::set<std::string> letters;
   for (const LessonWords &piece : wordsOf(step))
     if (piece.field != "note" && piece.field != "means")
-      for (const MarkdownFormula &formula : readMarkdown(piece.text)->formulas)
+      for (const MarkdownFormula &formula : piece.text.markdown().formulas)
         for (const MarkdownFormula::Side &side : formula.sides)
           if (!side.isLive)
             letters.merge(lettersIn(plainProse(side.text, lesson.macros)));

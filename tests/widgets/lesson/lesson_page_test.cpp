@@ -68,7 +68,7 @@ public:
     page.setLesson(lesson);
     setStep(step);
   }
-  void setStep(int step) { page.showStep(stepOf(m_lesson, step), step); }
+  void setStep(int step) { page.showStep(stepOf(m_lesson, step), step, {}); }
 
   /// Words with a value in place of each live one.
   void fill(const LiveValue &value = {}) {
