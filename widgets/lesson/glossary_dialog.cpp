@@ -52,6 +52,7 @@ GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
   m_term->setFont(large);
   m_term->setTextFormat(Qt::PlainText);
   m_term->setWordWrap(true);
+  m_picture->setObjectName("termFigure");
   m_lesson->setObjectName("termLesson");
   m_lesson->setAutoDefault(false); // Enter in the search is not meant for it
   const int letter = fontMetrics().averageCharWidth();
