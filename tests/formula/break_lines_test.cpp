@@ -87,6 +87,14 @@ TEST(BreakLines, ARelation_IsPreferredToASignBehindIt) {
   EXPECT_NEAR(glyphsOf(broken, '=')[1].x, broken.lines[1].left, rounding);
 }
 
+TEST(BreakLines, BehindASideOnSeveralLines_TheNextRelationBeginsALine) {
+  const Layout broken = breakLines(laidOut("x = a+b+c+d+e+f+g = h"), width(10.5));
+  ASSERT_EQ(broken.lines.size(), 3U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'g').y), 1U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'h').y), 2U);
+  EXPECT_NEAR(glyphsOf(broken, '=')[1].x, broken.lines[2].left, rounding);
+}
+
 TEST(BreakLines, AFarRelation_IsNotWaitedFor) {
   const Layout broken = breakLines(laidOut("x = a+b+c+d+e+f+g+h+i+j+k"), width(12));
   ASSERT_GE(broken.lines.size(), 2U);

@@ -41,6 +41,8 @@ private:
   void findSpans();
   [[nodiscard]] std::size_t bestEnd(std::size_t begin, double left) const;
   [[nodiscard]] double leftOf(std::size_t begin) const;
+  /// Whether a line that begins with this piece goes on with what stands on the line before, within one side.
+  [[nodiscard]] bool continuesSide(std::size_t begin) const;
   void setLines();
   void moveShapes();
   void movePieceTags(std::size_t piece, double right, double down);
@@ -77,6 +79,10 @@ double LineBreaker::leftOf(std::size_t begin) const {
   return piece(begin).before == Break::Relation ? relation->x : relation->x + signIndent;
 }
 
+bool LineBreaker::continuesSide(std::size_t begin) const {
+  return begin > 0 && piece(begin).before != Break::Statement && piece(begin).before != Break::Relation;
+}
+
 /// The piece that the line after this one best begins with.
 std::size_t LineBreaker::bestEnd(std::size_t begin, double left) const {
   const std::size_t count = m_layout.pieces.size();
@@ -87,6 +93,9 @@ std::size_t LineBreaker::bestEnd(std::size_t begin, double left) const {
     const bool fits = rightOf(i) <= m_rules.width;
     if (!fits && best < count)
       return best;
+    // Behind the rest of a side another would be hard to find.
+    if (continuesSide(begin) && i + 1 < count && piece(i + 1).before == Break::Relation)
+      return i + 1;
     // Where nothing fits, the first place to break is the best.
     if (i + 1 < count && piece(i + 1).before != Break::Never) {
       const double empty = 1 - rightOf(i) / m_rules.width;

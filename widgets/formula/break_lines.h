@@ -15,7 +15,8 @@ struct LineRules {
 };
 
 /// Breaks between statements that a wide space sets apart (the next begins at the left again), before
-/// relations, else before + and −, else before other operations; inside parentheses only when there is no
+/// relations, else before + and −, else before other operations; behind a side on several lines the next
+/// relation begins one; inside parentheses only when there is no
 /// other way, behind a comma wherever there is one that fits, and never inside a fraction or between \left
 /// and \right. What is narrow enough stays as it is.
 [[nodiscard]] Layout breakLines(Layout layout, const LineRules &rules);
