@@ -179,11 +179,12 @@ WorkingLine sixLine(const Out &at) {
 }
 
 WorkingLine tetrahedronLine(const Out &at) {
-  return asked(withNumbers(at.T == at.V / 6),
-               at.hasVolume ? words("The volume of the tetrahedron: a sixth of the box.")
-                            : words("0: the four corners lie in one plane."),
-               {{at.V / 3, words("{answer} is a third. The base is a triangle, only half a parallelogram: "
-                                 "divide by 6.")}});
+  return asked(
+      withNumbers(at.T == norm(at.D) / 6),
+      at.hasVolume ? words("The volume of the tetrahedron: a sixth of the box.")
+                   : words("0: the four corners lie in one plane."),
+      {{norm(at.D) / 3, words("{answer} is a third. The base is a triangle, only half a parallelogram: "
+                              "divide by 6.")}});
 }
 
 WorkingLine twiceLine(const Out &at) {
