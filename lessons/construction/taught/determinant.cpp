@@ -135,17 +135,12 @@ WorkingLine determinantLine(const Out &at) {
                {{-at.D, words("{answer} has the wrong sign.")}});
 }
 
-std::string swappedWords(const Out &at) {
-  return at.hasVolume ? words("{u} and {v} have changed places: only the sign has changed.", at.letters)
-                      : words("{u} and {v} have changed places: it is 0 as before.", at.letters);
-}
-
 /// The determinant of the same vectors from another one on.
 LineRow<Out> movedOnRow(const char *line, Term Out::*first, Term Out::*second, Term Out::*third) {
   return {line, always,
           [=](const Out &at) { return withProducts(dot(cross(at.*first, at.*second), at.*third)); },
           [=](const Out &at) {
-            return words("Moved on in a circle, to {first}, {second}, {third}: the same number.",
+            return words("Moved on in a circle, to {first}, {second}, {third}: this is D again.",
                          {{"first", plainText(at.*first)},
                           {"second", plainText(at.*second)},
                           {"third", plainText(at.*third)}});
@@ -212,7 +207,7 @@ LineTable<Out> lines() {
           {"volume", always, [](const Out &at) { return withNumbers(at.V == norm(at.D)); },
            says("The volume of the box: the determinant without its sign.")},
           {"swapped", always, [](const Out &at) { return withProducts(dot(cross(at.v, at.u), at.w)); },
-           swappedWords},
+           says("{u} and {v} have changed places: this is −D.")},
           movedOnRow("moved-on", &Out::v, &Out::w, &Out::u),
           movedOnRow("moved-twice", &Out::w, &Out::u, &Out::v),
           {"expansion", always, lastColumnLine},

@@ -100,11 +100,9 @@ Claims determinant() {
       {"Negative: {w} and n are on different sides of the base.",
        [](const ThreeVectors &at) { return reach(at) < 0; }},
       {"The volume of the box: the determinant without its sign.", always},
-      {"{u} and {v} have changed places: only the sign has changed.",
-       [](const ThreeVectors &at) { return isSomething(at) && at.volumeOf("v", "u", "w") == -at.volume; }},
-      {"{u} and {v} have changed places: it is 0 as before.",
-       [](const ThreeVectors &at) { return isNothing(at) && at.volumeOf("v", "u", "w") == 0; }},
-      {"Moved on in a circle, to {first}, {second}, {third}: the same number.",
+      {"{u} and {v} have changed places: this is −D.",
+       [](const ThreeVectors &at) { return at.volumeOf("v", "u", "w") == -at.volume; }},
+      {"Moved on in a circle, to {first}, {second}, {third}: this is D again.",
        [](const ThreeVectors &at, const Said &said) {
          return at.volumeOf(said.at("first"), said.at("second"), said.at("third")) == at.volume;
        }},
