@@ -82,6 +82,12 @@ void SessionHistory::cancelGesture(GestureToken token) {
   finishGesture(token);
 }
 
+void SessionHistory::setView(const std::optional<ChosenView> &view) {
+  Session seen = session();
+  seen.view = view;
+  goTo(std::move(seen));
+}
+
 void SessionHistory::settleGesture() {
   if (!inGesture())
     return;

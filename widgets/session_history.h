@@ -47,6 +47,9 @@ public:
   void endGesture(GestureToken token);
   void cancelGesture(GestureToken token);
 
+  /// Where the scene is looked at from now; nothing: as the lesson begins. No step, and no change.
+  void setView(const std::optional<ChosenView> &view);
+
   // For the owner of the session alone:
   /// Another session is shown, which is no step and is not told here.
   using History::goTo;

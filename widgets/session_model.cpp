@@ -34,21 +34,18 @@ SessionModel::SessionModel(LessonLibrary library, Session first) : m_library(std
 SessionModel::SessionModel(const LessonLibrary &library)
     : SessionModel(library, startOf(library.lessons.front())) {}
 
-void SessionModel::startWith(Session session) {
+void SessionModel::startWith(Session session, std::optional<LessonLibrary> library) {
   m_history.dropGesture();
+  if (library) {
+    keepLesson();
+    m_library = std::move(*library);
+  }
   m_history.beginAnew(true);
   m_unknownLesson = Lesson{};
   m_unknownLesson.id = m_unknownLesson.title = session.lesson;
   m_unknownLesson.scene = session.scene;
   m_lesson = nullptr; // the same unknown lesson may begin with another scene
   show(std::move(session));
-}
-
-void SessionModel::startWith(Session session, LessonLibrary library) {
-  m_history.dropGesture();
-  keepLesson();
-  m_library = std::move(library);
-  startWith(std::move(session));
 }
 
 void SessionModel::keepLesson() {
@@ -77,7 +74,7 @@ void SessionModel::openLesson(const std::string &id) {
   if (!lesson || id == session().lesson)
     return;
   m_history.settleGesture();
-  if (isChanged())
+  if (isChanged(*this))
     m_left[session().lesson] = session();
   else
     m_left.erase(session().lesson);
@@ -91,12 +88,6 @@ void SessionModel::setStep(int step) {
   Session there = session();
   there.step = nearestStep(*m_lesson, step);
   show(std::move(there));
-}
-
-void SessionModel::setView(const std::optional<ChosenView> &view) {
-  Session seen = session();
-  seen.view = view;
-  m_history.goTo(std::move(seen));
 }
 
 void SessionModel::show(Session session) {
@@ -123,7 +114,7 @@ void SessionModel::showSince(const Session &before) {
     if (!m_history.inGesture())
       m_scene.takeStage(session().scene);
   }
-  takeStep();
+  m_scene.takeStep(step(), m_questionOf());
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)
@@ -141,7 +132,7 @@ void SessionModel::setQuestionOf(std::function<Question()> questionOf) {
 void SessionModel::takeQuestion() {
   if (m_questionOf() == m_scene.question())
     return;
-  takeStep();
+  m_scene.takeStep(step(), m_questionOf());
   emit outcomeChanged();
 }
 

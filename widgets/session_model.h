@@ -63,16 +63,11 @@ public:
   void openLesson(const std::string &id);
   /// The sessions of other lessons that were left with changes, by lesson.
   [[nodiscard]] std::map<std::string, Session> &leftSessions() { return m_left; }
-  /// Whether the scene is another one than the lesson begins with.
-  [[nodiscard]] bool isChanged() const { return !(session().scene == m_lesson->scene); }
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.
-  void startWith(Session session);
-  /// The same with other lessons, or newer ones.
-  void startWith(Session session, LessonLibrary library);
+  /// Other lessons, or newer ones, come with it.
+  void startWith(Session session, std::optional<LessonLibrary> library = {});
   void setStep(int step);
-  /// Where the scene is looked at from now; nothing: as the lesson begins. No undo step, and no change.
-  void setView(const std::optional<ChosenView> &view);
   /// Who knows whether the current step's question is answered, if it has one: see shownIn. It is asked for
   /// every outcome; before, each question counts as answered.
   void setQuestionOf(std::function<Question()> questionOf);
@@ -92,7 +87,6 @@ private:
   void show(Session session);
   /// Shows the session of the history, which was another one before.
   void showSince(const Session &before);
-  void takeStep() { m_scene.takeStep(step(), m_questionOf()); }
 
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
@@ -103,6 +97,11 @@ private:
   std::map<std::string, Session> m_left;
   Snapping m_snapping;
 };
+
+/// Whether the scene is another one than the lesson begins with.
+[[nodiscard]] inline bool isChanged(const SessionModel &model) {
+  return !(model.session().scene == model.lesson().scene);
+}
 
 /// What the step's tasks ask of a handle as it is on the stage. They speak of the scene's own numbers: of
 /// none on a stage with others.

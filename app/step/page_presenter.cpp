@@ -37,7 +37,7 @@ void PagePresenter::showLines() {
   m_practice.setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);
   // Which lines there are would tell what is asked: the open question has those of the lesson's own numbers.
   const bool isOpen = m_question.isOpen();
-  const LinesOfStep &lines = isOpen && m_model.isChanged() ? m_atStart.lines() : m_model.shown();
+  const LinesOfStep &lines = isOpen && isChanged(m_model) ? m_atStart.lines() : m_model.shown();
   m_practice.setWorking(lines.working, lines.linesIn, isOpen);
 }
 

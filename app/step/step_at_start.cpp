@@ -17,7 +17,7 @@ const LinesOfStep &StepAtStart::lines() {
 
 bool StepAtStart::lacksLines() {
   // Unchanged, nothing is evaluated for it: neither when the window opens nor when a step is turned to.
-  return m_model.isChanged() && m_model.shown().working.lines.size() < lines().working.lines.size();
+  return isChanged(m_model) && m_model.shown().working.lines.size() < lines().working.lines.size();
 }
 
 bool StepAtStart::lacksLinesIn(const Scene &scene) {

@@ -48,7 +48,7 @@ UnsavedWork Autosave::work() const {
 void Autosave::prepare() {
   const auto typed = m_input.typedChange();
   if (!typed && !m_files.hasChanges() && !hasLeftSessions() &&
-      !(m_model.history().inGesture() && m_model.isChanged()))
+      !(m_model.history().inGesture() && isChanged(m_model)))
     return m_recovery.prepare({});
   UnsavedWork unsaved = work();
   if (typed)

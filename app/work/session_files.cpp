@@ -127,7 +127,7 @@ bool SessionFiles::belongsToFile() const { return m_file && m_model.session().le
 
 bool SessionFiles::hasChanges() const {
   // After another lesson was opened the history is not clean, though nothing need have changed.
-  return !m_model.history().isClean() && (belongsToFile() || m_model.isChanged());
+  return !m_model.history().isClean() && (belongsToFile() || isChanged(m_model));
 }
 
 bool SessionFiles::mayLeave() { return m_input.finishOrAsk() && (!hasChanges() || askToKeepChanges()); }

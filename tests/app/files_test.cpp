@@ -116,7 +116,7 @@ private slots:
     QCOMPARE(fixture.window.windowTitle(), QString("A lesson of my own, with a long title[*] — Halfspace"));
     fixture.scene().handles().select("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
-    QVERIFY(fixture.model().isChanged());
+    QVERIFY(isChanged(fixture.model()));
     writeTo(file, lessonText("mine", "  - {name: S, point: [0, 0, 0]}\n"));
     QTRY_COMPARE(fixture.model().session().scene.entries.size(), 2U);
     QVERIFY(!fixture.window.isWindowModified());

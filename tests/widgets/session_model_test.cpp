@@ -66,7 +66,7 @@ private slots:
     QVERIFY(model.session() == asked);
     QCOMPARE(model.step().title, lessons.find("signed-distance")->steps[2].title);
     QVERIFY(figureOf(model.evaluation()).marks == figureOf(evaluate(asked.scene)).marks);
-    QVERIFY(model.isChanged());
+    QVERIFY(isChanged(model));
     QVERIFY(!model.history().undoText());
     QVERIFY(model.history().isClean());
   }
@@ -281,19 +281,19 @@ private slots:
     const ChosenView second{{{3, 2, 1}, {0, 0, 0}, 5}, true};
     model.openLesson("signed-distance");
     changed.clear();
-    model.setView(first);
+    model.history().setView(first);
     QCOMPARE(model.history().count(), 0);
     QVERIFY(changed.isEmpty());
-    QVERIFY(!model.isChanged());
+    QVERIFY(!isChanged(model));
     QCOMPARE(model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move"), QString());
-    model.setView(second);
+    model.history().setView(second);
     model.history().undo();
     QVERIFY(model.session().view == second);
     model.history().redo();
     QVERIFY(model.session().view == second);
     const GestureToken held = model.history().beginGesture("Move Q");
     model.history().moveGesture(held, ChangeObject{"Q", PointObject{{7, 7, 7}}});
-    model.setView(first);
+    model.history().setView(first);
     model.history().cancelGesture(held);
     QVERIFY(model.session().view == first);
     model.history().replaceScene(model.lesson().scene, "Start over");
@@ -305,7 +305,7 @@ private slots:
     const ChosenView mine{{{1, 2, 3}, {0, 0, 0}, 9}, true};
     model.openLesson("signed-distance");
     model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
-    model.setView(mine);
+    model.history().setView(mine);
     model.openLesson("plane-implicit");
     QVERIFY(!model.session().view);
     model.openLesson("signed-distance");

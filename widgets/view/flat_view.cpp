@@ -23,6 +23,14 @@ constexpr double smallness = 0.8;
 constexpr double roomyHeight = 240;
 constexpr double leastPart = 0.8;
 
+/// For those who do not see it.
+QString descriptionOf(const Lesson &lesson, const Scene &scene) {
+  return FlatView::tr("The scene seen from the side: %1 points up and %2 to the right, both in their "
+                      "true length. A plane with the normal %1 is a level line.")
+      .arg(QString::fromStdString(shortName(scene, lesson.flat->up)),
+           QString::fromStdString(shortName(scene, lesson.flat->right)));
+}
+
 } // namespace
 
 FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
@@ -88,7 +96,7 @@ void FlatView::takeOutcome() {
   if (!hasPicture())
     return;
   if (!m_model.history().inGesture())
-    describe();
+    setAccessibleDescription(descriptionOf(m_model.lesson(), m_model.session().scene));
   // What is held must not jump under the hand.
   if (isOpen() && !m_drag && (!m_model.history().inGesture() || !m_picture->isInView(m_view)))
     fit();
@@ -112,15 +120,6 @@ void FlatView::fit() {
                               {std::max(1, width()), std::max(1, height())},
                               m_sizeScale * smallness * part,
                               {{{0, 0}, {m_title->width(), m_title->height()}}}});
-}
-
-void FlatView::describe() {
-  const FlatPage &page = *m_model.lesson().flat;
-  const Scene &scene = m_model.session().scene;
-  setAccessibleDescription(tr("The scene seen from the side: %1 points up and %2 to the right, both in their "
-                              "true length. A plane with the normal %1 is a level line.")
-                               .arg(QString::fromStdString(shortName(scene, page.up)),
-                                    QString::fromStdString(shortName(scene, page.right))));
 }
 
 void FlatView::paintEvent(QPaintEvent *event) {

@@ -57,7 +57,6 @@ private:
   void takeOutcome();
   void takePicture();
   void fit();
-  void describe();
   /// The handle at a pixel that can be moved there; nothing for none.
   [[nodiscard]] std::optional<Handle> handleAt(glm::dvec2 pixel) const;
   void hover(const std::string &mark);

@@ -41,7 +41,7 @@ void Viewpoint::show(NamedView name) {
     return;
   m_isAtHome = true;
   if (!m_camera.orthographic)
-    m_model.setView({});
+    m_model.history().setView({});
 }
 
 void Viewpoint::showAnother() { show(m_isAtHome ? NamedView::Home : NamedView::Whole); }
@@ -86,7 +86,7 @@ void Viewpoint::moveTo(const Camera &camera) {
 
 void Viewpoint::keep(const Camera &camera) {
   m_hasTypedAway = false;
-  m_model.setView(chosenViewOf(camera));
+  m_model.history().setView(chosenViewOf(camera));
 }
 
 void Viewpoint::showAll() {

@@ -3,6 +3,7 @@
 #include <QApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 
@@ -13,7 +14,10 @@ WorkingBlock *StepWorking::addBlock() {
   auto *block = new WorkingBlock(m_typesetter);
   block->setLook(m_look);
   block->setHeld(m_held);
-  connect(block, &WorkingBlock::markHovered, this, &StepWorking::hover);
+  connect(block, &WorkingBlock::markHovered, this, [this](const QString &mark) {
+    m_hovered = mark;
+    emit markHovered(mark);
+  });
   connect(block, &WorkingBlock::traceRequested, this, &StepWorking::trace);
   connect(block, &WorkingBlock::traceDropped, this, &StepWorking::endTrace);
   connect(block, &WorkingBlock::reached, this,
@@ -35,13 +39,8 @@ void StepWorking::dropBlocks() {
     block->keys().setGoOn({});
   }
   m_blocks.clear();
-  if (!m_hovered.isEmpty())
-    hover({}); // the pointer is on none of their terms any more
-}
-
-void StepWorking::hover(const QString &markId) {
-  m_hovered = markId;
-  emit markHovered(markId);
+  if (!std::exchange(m_hovered, {}).isEmpty())
+    emit markHovered({}); // the pointer is on none of their terms any more
 }
 
 bool StepWorking::goOn(const WorkingBlock &from, int way) {

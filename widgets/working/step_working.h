@@ -69,8 +69,6 @@ private:
   void followTrace();
   [[nodiscard]] const Term *tracedTerm() const;
 
-  void hover(const QString &markId);
-
   const Typesetter &m_typesetter;
   std::vector<WorkingBlock *> m_blocks;
   StepCoordinates m_coordinates{m_blocks};
