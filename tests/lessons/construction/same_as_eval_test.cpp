@@ -54,7 +54,7 @@ const std::map<std::string, Question> &questions() {
 const std::set<std::string> withOtherQuestions{
     "barycentric",         "cross-product",    "determinant", "dot-product-projection",
     "half-spaces",         "plane-parametric", "point-line",  "ray-plane-substitution",
-    "triangle-degenerate", "nearest-hit"};
+    "triangle-degenerate", "nearest-hit",      "reflection"};
 /// Questions know no saucers and no frames.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
@@ -249,6 +249,24 @@ TEST(SameAsEval, DotProductProjection_OfEachVectorOntoTheOther) {
         compared += compare(explained.at("values").at(names.at(onto)), answered.at("result"), names.at(onto));
     }
     return compared;
+  });
+}
+
+/// Questions do not reflect, but tell where the ray meets the plane and which part it has along the normal.
+TEST(SameAsEval, Reflection_InItsMeetingPointAndParts) {
+  compareScenes("reflection", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json met = answerTo({"ray-plane", {"plane", "ray"}}, objects);
+    EXPECT_EQ(met.at("ok"), !explained.at("degenerate"));
+    if (!met.at("ok"))
+      return 0;
+    EXPECT_EQ(explained.at("case"), met.at("result").at("case"));
+    const Json &values = explained.at("values");
+    const Json split = answerTo({{"query", "project-vector"},
+                                 {"vector", numbersOf(objects[1][1])},
+                                 {"onto", numbersOf(objects[0][1])}});
+    EXPECT_EQ(values.at("along"), split.at("result").at("projection"));
+    EXPECT_EQ(values.at("across"), split.at("result").at("rejection"));
+    return compare(values, met.at("result"), "");
   });
 }
 
