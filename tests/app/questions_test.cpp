@@ -37,6 +37,7 @@ const std::vector<RightAnswer> &questions() {
       {"ray-plane-dot", 1, "behind"},
       {"ray-plane-picture", 1, "with-n"},
       {"ray-plane-picture", 8, "turned"},
+      {"reflection", 1, "down"},
       {"photon-torpedo", 1, "mesh2"},
       {"ray-triangle-perp", 1, "interior"},
       {"triangle-degenerate", 1, "no"},
