@@ -140,7 +140,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected reflection() {
-  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.4};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.65};
 }
 
 } // namespace expected
