@@ -22,7 +22,7 @@ inline bool isWordByte(char c) {
 }
 
 /// What formulas have everywhere.
-inline const Names functions{"cos", "sin", "det", "dist"};
+inline const Names functions{"cos", "sin", "det", "dist", "max", "min", "out"};
 
 inline bool isNameIn(const Names &names, std::string_view word) {
   return std::any_of(names.begin(), names.end(), [word](std::string_view name) {

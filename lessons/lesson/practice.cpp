@@ -202,6 +202,18 @@ bool says(const WorkingLine &line, const Term &term) {
                      [&](const Chain &chain) { return readAlike(chain.sides().front(), term); });
 }
 
+/// What must be known to work a formula out. What max(a, b) comes to is for the learner to find.
+std::vector<Term> namesToBeKnown(const Term &formula) {
+  std::vector<Term> names;
+  for (const Term &name : namesIn(formula))
+    if (name->kind == TermKind::Applied && name->parts.front()->kind == TermKind::List)
+      for (const Term &inner : namesIn(name->parts.front()))
+        names.push_back(inner);
+    else
+      names.push_back(name);
+  return names;
+}
+
 /// Whether the line begins with what a line with a gap is about: cos θ < 1 beside cos θ = 1/2.
 bool repeatsOneOf(const WorkingLine &line, const std::map<std::string, Gap> &gaps, const Working &working) {
   return std::any_of(gaps.begin(), gaps.end(), [&](const auto &each) {
@@ -259,7 +271,7 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
   std::vector<Chain> told;
   if (!formula)
     return told;
-  for (const Term &name : namesIn(*formula))
+  for (const Term &name : namesToBeKnown(*formula))
     if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),
                                     [&](const WorkingLine &each) { return says(each, name); }))
       told.push_back(withResult(name));

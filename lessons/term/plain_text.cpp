@@ -111,7 +111,9 @@ public:
 
   [[nodiscard]] std::string applied(std::string function, std::string argument,
                                     bool inParentheses) const override {
-    return inParentheses ? function + "(" + argument + ")" : function + " " + argument;
+    if (inParentheses)
+      return function + "(" + argument + ")";
+    return function + (argument.starts_with("(") ? "" : " ") + argument;
   }
 
   [[nodiscard]] bool isFlat() const override { return true; }

@@ -49,10 +49,10 @@ Term collected(const Polynomial &polynomial, const Term &origin, NumberPlace pla
   return summands.size() == 1 ? summands.front() : sum(std::move(summands));
 }
 
-/// The component of a coordinate, where the list or the number is one.
+/// The component of a coordinate, where the list or the number is one; that of a name which is one already.
 std::optional<CoordinateSource> sourceOf(const Term &whole, std::size_t index) {
   std::optional<CoordinateSource> source = whole->source;
-  if (source)
+  if (source && !source->component)
     source->component = static_cast<int>(index);
   return source;
 }

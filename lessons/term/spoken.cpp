@@ -20,6 +20,10 @@ std::string letterName(const std::string &letter) {
 std::string wordName(const std::string &word) {
   if (word == "cos")
     return words("cosine");
+  if (word == "max")
+    return words("the largest");
+  if (word == "min")
+    return words("the smallest");
   return word == "dist" ? words("distance") : word;
 }
 

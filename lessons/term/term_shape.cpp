@@ -90,6 +90,8 @@ bool isWordBeforeName(const Term &term) {
   return term->symbol.isWord && term->parts[0]->kind == TermKind::Name;
 }
 
+bool isOfList(const Term &application) { return application->parts[0]->kind == TermKind::List; }
+
 bool hasUnknown(const std::vector<Term> &summands) {
   return std::any_of(summands.begin(), summands.end(), [](const Term &summand) {
     const Term &looked = shown(summand);

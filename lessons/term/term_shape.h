@@ -41,6 +41,9 @@ namespace halfspace {
 /// cos θ, where all that follows would seem to belong to the angle.
 [[nodiscard]] bool isWordBeforeName(const Term &term);
 
+/// max(a, b): the list has the parentheses.
+[[nodiscard]] bool isOfList(const Term &application);
+
 /// Whether an unknown stands among the summands, alone or with a coefficient.
 [[nodiscard]] bool hasUnknown(const std::vector<Term> &summands);
 

@@ -98,7 +98,7 @@ private:
       return m_notation.symbol(looked->symbol);
     case TermKind::Applied:
       return m_notation.applied(m_notation.symbol(looked->symbol), write(parts[0]),
-                                !isWordBeforeName(looked));
+                                !isWordBeforeName(looked) && !isOfList(looked));
     case TermKind::Negation:
       return m_notation.row({m_notation.sign(TermSign::Negative), held(parts[0], Binding::VectorProduct)});
     case TermKind::Sum:

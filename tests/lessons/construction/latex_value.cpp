@@ -184,6 +184,12 @@ private:
       require("]");
       return {mp::sqrt(dotted(inside, inside)[0])};
     }
+    for (const bool isLargest : {true, false})
+      if (take(isLargest ? "\\operatorname{max}(" : "\\operatorname{min}(")) {
+        const Numbers all = list();
+        return {isLargest ? *std::max_element(all.begin(), all.end())
+                          : *std::min_element(all.begin(), all.end())};
+      }
     return take("(") ? list() : Numbers{number()};
   }
 
