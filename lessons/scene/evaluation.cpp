@@ -11,6 +11,11 @@
 namespace halfspace {
 namespace {
 
+/// Whether a role looks at what the object is, or at what it is seen as: a box, a solid, a point.
+bool canStandIn(const ConstructionRole &role, const Object &object) {
+  return role.kind == kindOf(object) || role.kind == seenKindOf(object);
+}
+
 using SharedGiven = std::shared_ptr<const Given<Object>>;
 
 template <class T> Lazy<T> nothing() {
@@ -183,7 +188,7 @@ private:
         return {};
       for (const std::string &id : bound->second.ids) {
         const OfferedObject *seen = findOffered(id);
-        if (!seen || seenKindOf(seen->given->object) != role.kind)
+        if (!seen || !canStandIn(role, seen->given->object))
           return {};
         found.looksAt.push_back(seen->given);
         if (found.missing.empty())

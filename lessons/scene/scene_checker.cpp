@@ -4,6 +4,7 @@
 #include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/solid.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -12,6 +13,12 @@
 
 namespace halfspace {
 namespace {
+
+/// Whether an object of a kind can stand where one is expected: a box for a box, or for a solid.
+bool fits(std::string_view kind, std::string_view expected) {
+  const auto kinds = kindsSeenAs(expected);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 Problem problemWith(std::string field, std::string sentence) {
   return {std::move(sentence), "", 0, std::move(field)};
@@ -77,7 +84,7 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
   if (const auto *object = std::get_if<Object>(&entry.content)) {
     if (auto problem = checkHost(entry, *object))
       return problem;
-    m_kinds.emplace(entry.name, seenKindOf(*object));
+    m_kinds.emplace(entry.name, object->kind().binding ? seenKindOf(*object) : kindOf(*object));
     if (const auto refused = refusedCoordinateOf(*object))
       return problemWith(std::string(refused->name), refused->sentence);
     return refuseUnfitting(*object);
@@ -115,7 +122,7 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
 std::vector<std::string> SceneChecker::objectsOfKind(std::string_view kind) const {
   std::vector<std::string> ids;
   for (const auto &[id, its] : m_kinds)
-    if (its == kind)
+    if (fits(its, kind))
       ids.push_back(id);
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -128,7 +135,7 @@ std::optional<Problem> SceneChecker::checkReference(const std::string &field, co
     return problemWith(
         field, withGuess(words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}),
                          id, objectsOfKind(expected)));
-  if (kind->second != expected)
+  if (!fits(kind->second, expected))
     return problemWith(field,
                        words("Here {kind} is expected, but “{name}” is {other}.",
                              {{"kind", nounOf(expected)}, {"name", id}, {"other", nounOf(kind->second)}}));
