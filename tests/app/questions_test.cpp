@@ -45,6 +45,7 @@ const std::vector<RightAnswer> &questions() {
       {"barycentric", 1, "P2"},
       {"ray-triangle-cramer", 1, "interior"},
       {"ray-sphere", 1, "two"},
+      {"ray-box-slabs", 1, "hit"},
       {"pluecker-lines", 5, "skew"},
       {"pluecker-planes", 1, "point"},
       {"ray-polygon-pluecker", 1, "same"},

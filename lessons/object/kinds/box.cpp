@@ -1,4 +1,5 @@
-// Boxes along the axes.
+#include "lessons/object/kinds/box.h"
+
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/solid.h"
@@ -26,8 +27,7 @@ SolidMesh<Rational> mesh(const Object &box) {
   return mesh;
 }
 
-/// A length: it is no mark of its own in the picture.
-Term lengthTerm(const Given<Object> &box, std::size_t axis) {
+template <class Kind> Term lengthTerm(const Given<Kind> &box, std::size_t axis) {
   return coordinateTerm(box, axis + 1).marked({});
 }
 
@@ -79,12 +79,16 @@ std::vector<Handle> ownHandles(const std::string &name, const Object &box) {
 
 } // namespace
 
+BoxTerms termsOf(const Given<BoxObject> &box) {
+  return {coordinateTerm(box, 0), {lengthTerm(box, 0), lengthTerm(box, 1), lengthTerm(box, 2)}};
+}
+
 namespace object_kinds {
 
-SolidKind boxSolid() { return {"box", mesh, corner, way, face}; }
+SolidKind boxSolid() { return {BoxObject::kind, mesh, corner, way, face}; }
 
 Kind box() {
-  return {.word = "box",
+  return {.word = BoxObject::kind,
           .noun = [] { return words("a box"); },
           .meaning = "a box along the axes, by its lowest corner and three lengths",
           .subject = Subject::Triangle,

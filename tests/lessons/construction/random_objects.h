@@ -4,6 +4,7 @@
 #include "lessons/construction/construction.h"
 #include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/box.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/object/kinds/number.h"
@@ -43,6 +44,8 @@ public:
           coordinate(objects.back(), i) = vector();
         if (kindOf(objects.back()) == "prism")
           giveConvexBase(objects.back());
+        if (role.kind == BoxObject::kind)
+          giveLengths(objects.back());
         if (role.kind == PolygonObject::kind)
           objects.back() = convexPolygon();
         if (role.kind == NumberObject::kind)
@@ -422,6 +425,12 @@ private:
     std::size_t next = 0;
     for (const std::size_t corner : cornersOf(prism))
       prism[corner] = corners[next++];
+  }
+
+  /// Most boxes have an inside.
+  static void giveLengths(Object &box) {
+    for (std::size_t i = 1; i < box.size(); ++i)
+      box[i].x = abs(box[i].x);
   }
 
   /// What a solid is not to be: flat, or bent.

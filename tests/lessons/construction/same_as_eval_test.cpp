@@ -52,9 +52,9 @@ const std::map<std::string, Question> &questions() {
 }
 /// Those that ask otherwise: each has a test of its own below.
 const std::set<std::string> withOtherQuestions{
-    "barycentric",         "cross-product",    "determinant", "dot-product-projection",
-    "half-spaces",         "plane-parametric", "point-line",  "ray-plane-substitution",
-    "triangle-degenerate", "nearest-hit",      "reflection"};
+    "barycentric",   "cross-product",    "determinant",         "dot-product-projection",
+    "half-spaces",   "plane-parametric", "point-line",          "ray-plane-substitution",
+    "ray-box-slabs", "reflection",       "triangle-degenerate", "nearest-hit"};
 /// Questions know no saucers and no frames.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
@@ -216,6 +216,22 @@ TEST(SameAsEval, RaySolidPluecker_InItsFacesAndPoints) {
     const Json &left = values.at("left");
     EXPECT_EQ(Json::array({entered.at("face"), left.at("face")}), answered.at("faces"));
     EXPECT_EQ(Json::array({entered.at("point"), left.at("point")}), answered.at("points"));
+    return 1;
+  });
+}
+
+/// Questions have solids: a box is one, where it has an inside.
+TEST(SameAsEval, RayBoxSlabs_OfTheBoxAsASolid) {
+  compareScenes("ray-box-slabs", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo(questions().at("ray-solid-pluecker"), objects);
+    if (!answered.at("ok"))
+      return 0;
+    const Json &values = explained.at("values");
+    EXPECT_EQ(answered.at("result").at("case"), explained.at("case"));
+    EXPECT_EQ(answered.at("result").at("origin"), values.at("origin"));
+    if (values.contains("entry")) {
+      EXPECT_EQ(answered.at("result").at("points"), Json::array({values.at("entry"), values.at("exit")}));
+    }
     return 1;
   });
 }
