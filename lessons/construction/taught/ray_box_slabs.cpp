@@ -138,7 +138,7 @@ WorkingLine firstOutLine(const Out &at) {
 WorkingLine compareLine(const Out &at) {
   return line(compared(at.tIn, at.tOut), !at.isMet ? words("The line misses the box.")
                                          : at.meet.in < at.meet.out
-                                             ? words("The line goes through the box.")
+                                             ? words("From the one to the other the line is in the box.")
                                              : words("The line meets the box in only one point."));
 }
 

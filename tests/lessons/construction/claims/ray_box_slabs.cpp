@@ -156,7 +156,8 @@ Claims lineClaims() {
          return hasSpan(at) && std::count_if(RayAtBox::axes.begin(), RayAtBox::axes.end(),
                                              [&](int axis) { return at.L.direction[axis] == 0; }) == 2;
        }},
-      {"The line goes through the box.", [](const RayAtBox &at) { return at.isMet() && !at.isMetOnce(); }},
+      {"From the one to the other the line is in the box.",
+       [](const RayAtBox &at) { return at.isMet() && !at.isMetOnce(); }},
       {"The line meets the box in only one point.", [](const RayAtBox &at) { return at.isMetOnce(); }},
       {"The line misses the box.", isMissedBySlabs},
       {"Both are negative: the box is behind the start.",
