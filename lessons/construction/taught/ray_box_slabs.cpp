@@ -113,6 +113,7 @@ WorkingLine extremeLine(const Term &t, Extreme which, const std::vector<Term> &n
                  words("There is no other: the line is always in the other two slabs."));
   const Term names = extremeOf(which, numbers);
   std::vector<Term> values;
+  values.reserve(numbers.size());
   for (const Term &number : numbers)
     values.push_back(calculated(number));
   return asked((t == names).then(extremeOf(which, std::move(values))).then(calculated(names)),

@@ -281,6 +281,15 @@ TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
   FAIL() << "there is no 11";
 }
 
+TEST(ToldFor, TheLargestOfSeveral_AreTheyAndNotWhatIsAsked) {
+  const Working box = workingOf("ray-box-slabs");
+  const WorkingLine &last = *findLine(box, "t-in");
+  EXPECT_EQ(symbolsText(last), "t_in = max(in_x, in_y, in_z)");
+  const auto told = toldFor(last, resultGap(last), {{last}});
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_EQ(plainText(told[0]), "in_x = 1");
+}
+
 TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
   const Working plane = workingOf("plane-implicit");
   const WorkingLine &constant = *findLine(plane, "constant");
