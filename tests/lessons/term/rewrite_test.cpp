@@ -157,5 +157,14 @@ TEST(Rewriting, OfAnyNumbers_KeepsTheValue) { expectValuesKept(1, false); }
 
 TEST(Rewriting, OfAnyUnknowns_KeepsTheValue) { expectValuesKept(2, true); }
 
+TEST(Rewriting, ANameOfOneCoordinate_KeepsWhichItIs) {
+  TermNode second = *given(letter("Q", "y"), {1, 2, 3}, "Q", 0);
+  second.value = Rational(2);
+  second.source->component = 1;
+  const Term number = calculated(Term(std::make_shared<const TermNode>(second)));
+  EXPECT_EQ(plainText(number), "2");
+  EXPECT_EQ(number->source, (CoordinateSource{"Q", 0, 1}));
+}
+
 } // namespace
 } // namespace halfspace
