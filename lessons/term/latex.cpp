@@ -138,11 +138,19 @@ private:
   Fractions m_fractions;
 };
 
+/// Digits and a letter as they are, and words upright.
+std::string subscriptLatex(const std::string &text) {
+  const bool isWord =
+      text.size() > characterLength(text) && text.find_first_not_of("0123456789") != std::string::npos;
+  return isWord ? "\\text{" + text + "}" : text;
+}
+
 /// What stands in a subscript: the symbol's own, and whose it is.
 std::string indexLatex(const Symbol &symbol) {
+  const std::string own = subscriptLatex(symbol.subscript);
   if (symbol.owner.empty())
-    return symbol.subscript;
-  return symbol.subscript + (symbol.subscript.empty() ? "" : ",") + latexOf(symbolOf(symbol.owner));
+    return own;
+  return own + (own.empty() ? "" : ",") + latexOf(symbolOf(symbol.owner));
 }
 
 } // namespace

@@ -34,7 +34,8 @@ bool areDigits(std::string_view text) {
 Row subscript(const std::string &text) {
   if (areDigits(text))
     return math::number(text);
-  return math::row(math::letter(firstCharacter(text).code));
+  const Character first = firstCharacter(text);
+  return math::row(first.length == text.size() ? math::letter(first.code) : math::words(text));
 }
 
 /// Digits with the decimal mark; it is no punctuation, behind which a space would stand.

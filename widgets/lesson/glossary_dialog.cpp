@@ -79,10 +79,14 @@ void GlossaryDialog::setEntries(std::vector<Entry> entries, Figure figure) {
   m_list->clear();
   m_entries = std::move(entries);
   m_figure = std::move(figure);
-  for (const Entry &entry : m_entries)
+  int widest = 0;
+  for (const Entry &entry : m_entries) {
     m_list->addItem(entry.term);
-  const int edges = 2 * m_list->frameWidth() + m_list->verticalScrollBar()->sizeHint().width();
-  m_list->setFixedWidth(m_list->sizeHintForColumn(0) + edges); // each term is seen whole
+    widest = std::max(widest, m_list->fontMetrics().horizontalAdvance(entry.term));
+  }
+  const int letter = m_list->fontMetrics().averageCharWidth();
+  const int edges = 2 * (m_list->frameWidth() + letter) + m_list->verticalScrollBar()->sizeHint().width();
+  m_list->setFixedWidth(widest + edges); // each term is seen whole
   search(m_search->text());
 }
 

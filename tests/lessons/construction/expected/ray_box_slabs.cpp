@@ -135,8 +135,8 @@ Recomputed recompute(Objects objects) {
   const Rational out = *ways.outs.begin();
   expected.values["t_in"] = number(in);
   expected.values["t_out"] = number(out);
-  expected.names["t_{in}"] = quantity(in);
-  expected.names["t_{out}"] = quantity(out);
+  expected.names["t_{\\text{in}}"] = quantity(in);
+  expected.names["t_{\\text{out}}"] = quantity(out);
   if (!faces.has(faces.at(in))) // then it is in the box nowhere
     return expected;
   expected.caseName = out < 0 ? "behind" : "hit";
