@@ -147,7 +147,7 @@ std::string subscriptLatex(const std::string &text) {
 
 /// What stands in a subscript: the symbol's own, and whose it is.
 std::string indexLatex(const Symbol &symbol) {
-  const std::string own = subscriptLatex(symbol.subscript);
+  std::string own = subscriptLatex(symbol.subscript);
   if (symbol.owner.empty())
     return own;
   return own + (own.empty() ? "" : ",") + latexOf(symbolOf(symbol.owner));

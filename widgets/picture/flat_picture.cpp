@@ -2,10 +2,12 @@
 
 #include "widgets/picture/hand/mark_picker.h"
 
+#include <utility>
+
 namespace halfspace {
 
-FlatPicture::FlatPicture(const FlatFrame &frame, const Stage &stage, const Figure &whole, const Figure &shown)
-    : m_frame(frame), m_stage(stage), m_whole(laid(whole)), m_figure(laid(shown)) {}
+FlatPicture::FlatPicture(FlatFrame frame, Stage stage, const Figure &whole, const Figure &shown)
+    : m_frame(std::move(frame)), m_stage(std::move(stage)), m_whole(laid(whole)), m_figure(laid(shown)) {}
 
 Lazy<Figure> FlatPicture::laid(const Figure &figure) const {
   return Lazy<Figure>(

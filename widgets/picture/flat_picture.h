@@ -13,7 +13,7 @@ namespace halfspace {
 class FlatPicture {
 public:
   /// The figure of all steps, and what one of them shows of it, both in scene units.
-  FlatPicture(const FlatFrame &frame, const Stage &stage, const Figure &whole, const Figure &shown);
+  FlatPicture(FlatFrame frame, Stage stage, const Figure &whole, const Figure &shown);
 
   /// The view with a camera that has the whole of it, of all steps, in view, beside what covers that.
   [[nodiscard]] View fitted(View view) const;
