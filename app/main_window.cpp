@@ -48,7 +48,8 @@ QString fileIn(const QMimeData &data) {
 
 } // namespace
 
-MainWindow::MainWindow(LessonLibrary library, Session session, std::shared_ptr<const KnownFile> file)
+MainWindow::MainWindow(LessonLibrary library, Session session, const Result<Settings> &settings,
+                       std::shared_ptr<const KnownFile> file)
     : m_model(std::move(library), std::move(session)), m_progress(m_model, m_putAside),
       m_panels(*this, m_model), m_look(*this), m_layout(*this, m_panels),
       m_step(m_model, m_panels, m_progress),
@@ -68,7 +69,7 @@ MainWindow::MainWindow(LessonLibrary library, Session session, std::shared_ptr<c
   connectParts();
   m_settings = std::make_unique<WindowSettings>(m_model, m_look, m_layout, *ownLessons,
                                                 m_panels.scene().flat().unfolded(), m_putAside);
-  m_settings->restore();
+  m_settings->restore(settings);
   m_step.showAll();
   updateTitle();
 }

@@ -23,14 +23,16 @@ class CameraActions;
 class ContentsPresenter;
 class OwnLessonFolders;
 class WindowSettings;
+struct Settings;
 
 /// Each part has one task, and knows those that it needs.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
-  /// On a session; `file` is where Save writes it (null: Save asks).
-  MainWindow(LessonLibrary library, Session session, std::shared_ptr<const KnownFile> file = {});
+  /// On a session, with the settings as they were read; `file` is where Save writes it (null: Save asks).
+  MainWindow(LessonLibrary library, Session session, const Result<Settings> &settings,
+             std::shared_ptr<const KnownFile> file = {});
   ~MainWindow() override;
 
   /// Shows the window, maximized where it would not fit the screen with its frame.

@@ -70,8 +70,8 @@ std::shared_ptr<const KnownFile> fileOf(const OpenedSession &opened, const Windo
 /// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
 int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
-               const WindowCommand &command, Application &application) {
-  MainWindow window(std::move(library), opened.session, fileOf(opened, command));
+               const Result<Settings> &settings, const WindowCommand &command, Application &application) {
+  MainWindow window(std::move(library), opened.session, settings, fileOf(opened, command));
   application.setLastDeed([&] { window.endWithoutQuestions(); });
   const Termination termination(
       [&](int signal) {
@@ -104,9 +104,9 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
 }
 
 /// Those of the command line, and behind them those of the settings.
-OwnLessons ownLessonsOf(const WindowCommand &command) {
+OwnLessons ownLessonsOf(const WindowCommand &command, const Result<Settings> &settings) {
   OwnLessons folders = command.ownLessons;
-  if (const auto settings = readSettings(settingsFile()))
+  if (settings)
     for (const QString &folder : settings->ownLessons)
       folders.push_back(folder.toStdString());
   return folders;
@@ -119,7 +119,8 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   QCoreApplication::setApplicationName("halfspace");
   QCoreApplication::setApplicationVersion(HALFSPACE_VERSION);
   QCoreApplication::setOrganizationName("halfspace");
-  LessonLibrary library = allLessons(ownLessonsOf(command));
+  const auto settings = readSettings(settingsFile());
+  LessonLibrary library = allLessons(ownLessonsOf(command, settings));
   for (const Problem &problem : library.problems)
     printError(problem.text());
   const std::string firstLesson = library.lessons.empty() ? "" : library.lessons.front().id;
@@ -156,7 +157,7 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   QGuiApplication::setDesktopFileName("halfspace");
   if (const auto missing = checkOpenGL())
     return fail(*missing);
-  return showWindow(std::move(library), *opened, problem, command, application);
+  return showWindow(std::move(library), *opened, problem, settings, command, application);
 }
 
 } // namespace halfspace

@@ -3,7 +3,6 @@
 #include "app/library/own_lesson_folders.h"
 #include "app/panels/window_layout.h"
 #include "app/panels/window_look.h"
-#include "app/settings.h"
 #include "app/standard_streams.h"
 
 #include <QAction>
@@ -17,8 +16,7 @@ WindowSettings::WindowSettings(SessionModel &model, WindowLook &look, WindowLayo
   connect(&look, &WindowLook::chosen, this, &WindowSettings::storeLook);
 }
 
-void WindowSettings::restore() {
-  const auto stored = readSettings(settingsFile());
+void WindowSettings::restore(const Result<Settings> &stored) {
   if (!stored)
     m_putAside.add(stored.problem()); // where it cannot be, it is not written either
   const Settings settings = stored ? *stored : Settings();

@@ -1,6 +1,7 @@
 // What the window keeps of itself between starts.
 #pragma once
 
+#include "app/settings.h"
 #include "app/work/put_aside.h"
 #include "widgets/session_model.h"
 
@@ -11,10 +12,8 @@ namespace halfspace {
 class OwnLessonFolders;
 class WindowLayout;
 class WindowLook;
-struct Settings;
 
-/// Takes the settings from their file into the parts of the window that they are about, and back. A file that
-/// cannot be read is put aside.
+/// Takes the settings into the parts of the window that they are about, and back into their file.
 class WindowSettings : public QObject {
   Q_OBJECT
 public:
@@ -22,7 +21,8 @@ public:
   WindowSettings(SessionModel &model, WindowLook &look, WindowLayout &layout, OwnLessonFolders &ownLessons,
                  QAction &flatPicture, PutAsideFiles &putAside);
 
-  void restore();
+  /// What was read at the start; a file that cannot be read is put aside.
+  void restore(const Result<Settings> &stored);
   /// When the window is on its way out: what cannot be stored is said on standard error.
   void store();
 

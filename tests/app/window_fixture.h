@@ -35,7 +35,8 @@ class WindowFixture {
 public:
   explicit WindowFixture(const std::string &lesson, LessonLibrary library = readLessons(TEST_LESSONS_FOLDER))
       : WindowFixture(startOf(*library.find(lesson)), std::move(library)) {}
-  WindowFixture(Session session, LessonLibrary &&library) : window(std::move(library), std::move(session)) {
+  WindowFixture(Session session, LessonLibrary &&library)
+      : window(std::move(library), std::move(session), readSettings(settingsFile())) {
     window.sceneView().setMotion(false);
     window.show();
     ready = QTest::qWaitForWindowExposed(&window) && QTest::qWaitFor([&] { return scene().isValid(); });

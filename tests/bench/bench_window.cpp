@@ -2,6 +2,7 @@
 // it.
 #include "app/main_window.h"
 #include "app/open_session.h"
+#include "app/settings.h"
 #include "tests/bench/first_frame.h"
 #include "widgets/view/scene_view.h"
 
@@ -27,7 +28,7 @@ int main(int argc, char **argv) {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   const QApplication application(argc, argv);
-  MainWindow window(std::move(library), session);
+  MainWindow window(std::move(library), session, readSettings(settingsFile()));
   bench::reportFirstFrame(window.sceneView(), argv[1]);
   window.show();
   return QApplication::exec();
