@@ -2,13 +2,13 @@
 #include "app/commands.h"
 #include "app/standard_streams.h"
 #include "lessons/lesson/nearest_step.h"
-#include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_picture.h"
+#include "widgets/picture/lesson_picture.h"
 #include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
@@ -45,11 +45,6 @@ Result<const LessonStep *> stepToShow(const RenderCommand &command, const Opened
   if (const LessonStep *step = command.frames ? stepOfFlight(opened) : nullptr)
     return step;
   return lesson && opened.text ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
-}
-
-/// What is shown of a scene: by a step, or the whole of it.
-Figure figureShown(const LessonStep *step, const Evaluation &evaluation) {
-  return step ? shownIn(*step, evaluation).figure : figureOf(evaluation);
 }
 
 /// What the pictures of a command are of.
@@ -97,8 +92,7 @@ Camera cameraFor(const Motif &motif, const Evaluation &evaluation) {
   const auto &[command, opened, step, stage] = motif;
   if (opened.session.view)
     return cameraOf(*opened.session.view);
-  return homeView(opened.lesson ? opened.lesson->camera : CameraView(), toStage(figureOf(evaluation), stage),
-                  stage.hasAxes(), command.size, ownPixelRatio(command.size));
+  return homeOf(opened.lesson, evaluation, stage, command.size, ownPixelRatio(command.size));
 }
 
 /// Pictures in space: those of a flight are seen from one place, and their labels stand where they stand at
@@ -107,10 +101,10 @@ class SpacePictures : public Pictures {
 public:
   SpacePictures(const Motif &motif, const Camera &camera) : m_motif(motif), m_camera(camera) {}
 
-  void begin(const Evaluation &evaluation) override { m_beginning = contentOf(evaluation); }
+  void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
     PictureRequest request;
-    request.content = contentOf(evaluation);
+    request.content = content(evaluation);
     request.labelledLike = m_beginning;
     request.camera = m_camera;
     request.theme = m_motif.command.theme;
@@ -125,12 +119,8 @@ public:
   }
 
 private:
-  [[nodiscard]] SceneContent contentOf(const Evaluation &evaluation) const {
-    SceneContent content;
-    content.stage = m_motif.stage;
-    content.hasShadows = !m_motif.opened.lesson || m_motif.opened.lesson->hasShadows;
-    content.figure = toStage(figureShown(m_motif.step, evaluation), m_motif.stage);
-    return content;
+  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
+    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
   }
 
   Motif m_motif;

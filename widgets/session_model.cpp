@@ -130,9 +130,10 @@ void SessionModel::setQuestionOf(std::function<Question()> questionOf) {
 }
 
 void SessionModel::takeQuestion() {
-  if (m_questionOf() == m_scene.question())
+  const Question question = m_questionOf();
+  if (question == m_scene.question())
     return;
-  m_scene.takeStep(step(), m_questionOf());
+  m_scene.takeStep(step(), question);
   emit outcomeChanged();
 }
 

@@ -63,9 +63,9 @@ public:
   void openLesson(const std::string &id);
   /// The sessions of other lessons that were left with changes, by lesson.
   [[nodiscard]] std::map<std::string, Session> &leftSessions() { return m_left; }
-  /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
-  /// shows the scene without words.
-  /// Other lessons, or newer ones, come with it.
+  /// Starts anew with a session, as from a file, and with the library that comes with it: other lessons, or
+  /// newer ones. The history is empty then. A lesson that is not in the library shows the scene without
+  /// words.
   void startWith(Session session, std::optional<LessonLibrary> library = {});
   void setStep(int step);
   /// Who knows whether the current step's question is answered, if it has one: see shownIn. It is asked for

@@ -2,10 +2,9 @@
 
 #include "app/panels/window_look.h"
 #include "app/step/step_turner.h"
-#include "lessons/lesson/shown.h"
 #include "lessons/lesson/term_links.h"
 #include "widgets/lesson/glossary_dialog.h"
-#include "widgets/picture/camera_views.h"
+#include "widgets/picture/lesson_picture.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/session_model.h"
 #include "widgets/typeset/label_painter.h"
@@ -30,42 +29,45 @@ GlossaryPresenter::GlossaryPresenter(SessionModel &model, StepTurner &turner, Sc
     : QObject(parent), m_model(model), m_turner(turner), m_scene(scene), m_look(look),
       m_typesetter(typesetter) {
   QDesktopServices::setUrlHandler(termScheme, this, "showTermAt");
-  connect(&model, &SessionModel::lessonChanged, this, [this] {
-    if (m_dialog)
-      fill(); // the library may be another one
-  });
-  connect(&look, &WindowLook::changed, this, [this] {
-    if (m_dialog)
-      m_dialog->setTheme(m_look.panelTheme());
-  });
+  connect(&model, &SessionModel::lessonChanged, this, &GlossaryPresenter::fillIfOpen); // of another library
+  connect(&look, &WindowLook::changed, this, &GlossaryPresenter::fillIfOpen);
 }
 
 GlossaryPresenter::~GlossaryPresenter() { QDesktopServices::unsetUrlHandler(termScheme); }
 
-void GlossaryPresenter::show() { dialog().open(); }
+void GlossaryPresenter::show() { filled().open(); }
 
 void GlossaryPresenter::showTermAt(const QUrl &address) {
   const std::string text = address.toString(QUrl::FullyDecoded).toStdString();
-  dialog().open(QString::fromStdString(std::string(termAt(text))));
+  filled().open(QString::fromStdString(std::string(termAt(text))));
 }
 
-GlossaryDialog &GlossaryPresenter::dialog() {
-  if (m_dialog)
-    return *m_dialog;
-  m_dialog = new GlossaryDialog(m_typesetter, m_scene.window());
-  connect(m_dialog, &GlossaryDialog::lessonWanted, this,
-          [this](std::size_t entry) { goTo(m_entries.at(entry)); });
-  connect(m_dialog, &QDialog::finished, this, [this] { m_painter.reset(); });
-  m_dialog->setTheme(m_look.panelTheme());
-  fill();
+GlossaryDialog &GlossaryPresenter::filled() {
+  if (!m_dialog)
+    makeDialog();
+  if (!m_dialog->isVisible())
+    fill();
   return *m_dialog;
 }
 
+void GlossaryPresenter::makeDialog() {
+  m_dialog = new GlossaryDialog(m_typesetter, m_scene.window());
+  connect(m_dialog, &GlossaryDialog::lessonWanted, this,
+          [this](std::size_t entry) { goTo(m_glossary.entries().at(entry)); });
+  connect(m_dialog, &QDialog::finished, this, [this] { m_painter.reset(); });
+}
+
+void GlossaryPresenter::fillIfOpen() {
+  if (m_dialog && m_dialog->isVisible())
+    fill();
+}
+
 void GlossaryPresenter::fill() {
-  m_entries = glossaryOf(m_model.library());
+  m_glossary = Glossary(m_model.library());
+  m_dialog->setTheme(m_look.panelTheme());
   std::vector<GlossaryDialog::Entry> entries;
-  entries.reserve(m_entries.size());
-  for (const auto &[term, lesson, step] : m_entries) {
+  entries.reserve(m_glossary.entries().size());
+  for (const auto &[term, lesson, step] : m_glossary.entries()) {
     QStringList also;
     for (const std::string &form : term->also)
       also << QString::fromStdString(form);
@@ -73,23 +75,21 @@ void GlossaryPresenter::fill() {
                        QString::fromStdString(lesson->title)});
   }
   m_dialog->setEntries(std::move(entries), [this](std::size_t entry, const QSize &room) {
-    return figureOf(m_entries.at(entry), room);
+    return figureOf(m_glossary.entries().at(entry), room);
   });
 }
 
 QPixmap GlossaryPresenter::figureOf(const GlossaryEntry &entry, const QSize &room) {
-  const Evaluation evaluation = evaluate(entry.lesson->scene);
+  const auto &[term, lesson, step] = entry;
+  const Evaluation evaluation = evaluate(lesson->scene);
+  const Stage stage = stageOf(lesson->scene, boundObjectsOf(lesson->scene, evaluation));
   const double finer = m_scene.devicePixelRatioF();
   PictureRequest request;
   request.size = {qRound(room.width() * finer), qRound(room.height() * finer)};
   request.pixelRatio = smallness * finer;
   request.theme = m_look.theme();
-  SceneContent &content = request.content;
-  content.stage = stageOf(entry.lesson->scene, boundObjectsOf(entry.lesson->scene, evaluation));
-  content.hasShadows = entry.lesson->hasShadows;
-  content.figure = toStage(shownIn(stepOf(*entry.lesson, entry.step), evaluation).figure, content.stage);
-  request.camera = homeView(entry.lesson->camera, toStage(halfspace::figureOf(evaluation), content.stage),
-                            content.stage.hasAxes(), request.size, *request.pixelRatio);
+  request.content = contentOf(lesson, &stepOf(*lesson, step), evaluation, stage);
+  request.camera = homeOf(lesson, evaluation, stage, request.size, *request.pixelRatio);
   m_scene.doneCurrent(); // two current contexts in a thread clash
   if (!m_painter)
     m_painter =
@@ -97,9 +97,7 @@ QPixmap GlossaryPresenter::figureOf(const GlossaryEntry &entry, const QSize &roo
   const auto picture = m_painter->draw(request);
   if (!picture)
     return {}; // the words are there all the same
-  const QImage image(picture->rgba.data(), picture->width, picture->height, picture->width * 4,
-                     QImage::Format_RGBA8888);
-  QPixmap pixmap = QPixmap::fromImage(image.copy());
+  QPixmap pixmap = QPixmap::fromImage(toImage(*picture));
   pixmap.setDevicePixelRatio(finer);
   return pixmap;
 }

@@ -6,7 +6,6 @@
 #include <QObject>
 
 #include <memory>
-#include <vector>
 
 class QPixmap;
 class QSize;
@@ -36,8 +35,10 @@ public:
   Q_INVOKABLE void showTermAt(const QUrl &address);
 
 private:
-  /// Made when it is opened for the first time.
-  GlossaryDialog &dialog();
+  /// The dialog, which is made when it is opened for the first time, with the terms of all lessons.
+  GlossaryDialog &filled();
+  void makeDialog();
+  void fillIfOpen();
   void fill();
   [[nodiscard]] QPixmap figureOf(const GlossaryEntry &entry, const QSize &room);
   void goTo(const GlossaryEntry &entry);
@@ -47,8 +48,8 @@ private:
   SceneView &m_scene;
   const WindowLook &m_look;
   const Typesetter &m_typesetter;
-  GlossaryDialog *m_dialog = nullptr; ///< the window's
-  std::vector<GlossaryEntry> m_entries;
+  Glossary m_glossary;                         ///< in which the dialog's terms stand
+  GlossaryDialog *m_dialog = nullptr;          ///< the window's
   std::unique_ptr<OffscreenPainter> m_painter; ///< while the dialog is open
 };
 

@@ -24,14 +24,13 @@ PagePresenter::PagePresenter(SessionModel &model, LessonPage &page, WorkingPract
 }
 
 void PagePresenter::showLesson() {
+  m_glossary = Glossary(m_model.library());
   m_page.setLesson(m_model.lesson());
   const Lesson *next = nextLesson();
   m_page.setNextLesson(next ? QString::fromStdString(next->title) : QString());
 }
 
-void PagePresenter::showStep() {
-  m_page.showStep(m_model.step(), m_model.session().step, glossaryOf(m_model.library()));
-}
+void PagePresenter::showStep() { m_page.showStep(m_model.step(), m_model.session().step, m_glossary); }
 
 void PagePresenter::showLines() {
   m_practice.setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);

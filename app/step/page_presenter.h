@@ -1,6 +1,7 @@
 // The page of the step that is shown: its words, its lines, its tasks, and the way on.
 #pragma once
 
+#include "lessons/lesson/glossary.h"
 #include "widgets/session_model.h"
 
 #include <QObject>
@@ -44,6 +45,7 @@ private:
   StepQuestion &m_question;
   LearnerProgress &m_progress;
   StepAtStart &m_atStart;
+  Glossary m_glossary; ///< of the library that the lesson is from
 };
 
 } // namespace halfspace

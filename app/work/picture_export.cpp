@@ -70,9 +70,7 @@ void PictureExport::askAndSave() {
 
 void PictureExport::copy() {
   if (const auto picture = draw()) {
-    const QImage image(picture->rgba.data(), picture->width, picture->height, picture->width * 4,
-                       QImage::Format_RGBA8888);
-    QApplication::clipboard()->setImage(image.copy());
+    QApplication::clipboard()->setImage(toImage(*picture));
     m_messages.say(tr("Picture copied."));
   }
 }

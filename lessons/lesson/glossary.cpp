@@ -26,28 +26,8 @@ bool beginsWord(std::string_view text, std::size_t place) {
   return isOfWord(text, place) && (place == 0 || !isOfWord(text, place - 1));
 }
 
-/// A form of a term, in small letters.
-struct Form {
-  std::string text;
-  const GlossaryEntry *entry;
-};
-
-/// The longest first.
-std::vector<Form> formsOf(const std::vector<GlossaryEntry> &glossary) {
-  std::vector<Form> forms;
-  for (const GlossaryEntry &entry : glossary) {
-    forms.push_back({lowered(entry.term->name), &entry});
-    for (const std::string &form : entry.term->also)
-      forms.push_back({lowered(form), &entry});
-  }
-  std::stable_sort(forms.begin(), forms.end(),
-                   [](const Form &a, const Form &b) { return a.text.size() > b.text.size(); });
-  return forms;
-}
-
-} // namespace
-
-std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library) {
+/// The first of each name, sorted.
+std::vector<GlossaryEntry> entriesOf(const LessonLibrary &library) {
   std::vector<GlossaryEntry> glossary;
   std::set<std::string> names;
   for (const Lesson &lesson : library.lessons)
@@ -61,20 +41,32 @@ std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library) {
   return glossary;
 }
 
-std::vector<TermUse> termsIn(std::string_view text, const std::vector<GlossaryEntry> &glossary) {
-  const std::vector<Form> forms = formsOf(glossary);
+} // namespace
+
+Glossary::Glossary(const LessonLibrary &library) : m_entries(entriesOf(library)) {
+  for (std::size_t entry = 0; entry < m_entries.size(); ++entry) {
+    const TaughtTerm &term = *m_entries[entry].term;
+    m_forms.push_back({lowered(term.name), entry});
+    for (const std::string &form : term.also)
+      m_forms.push_back({lowered(form), entry});
+  }
+  std::stable_sort(m_forms.begin(), m_forms.end(),
+                   [](const Form &a, const Form &b) { return a.text.size() > b.text.size(); });
+}
+
+std::vector<TermUse> Glossary::usesIn(std::string_view text) const {
   const std::string small = lowered(text);
   std::vector<TermUse> uses;
   for (std::size_t place = 0; place < small.size(); ++place) {
     if (!beginsWord(small, place))
       continue;
-    const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form &form) {
+    const auto found = std::find_if(m_forms.begin(), m_forms.end(), [&](const Form &form) {
       return small.compare(place, form.text.size(), form.text) == 0 &&
              !isOfWord(small, place + form.text.size());
     });
-    if (found == forms.end())
+    if (found == m_forms.end())
       continue;
-    uses.push_back({place, found->text.size(), found->entry});
+    uses.push_back({place, found->text.size(), &m_entries[found->entry]});
     place += found->text.size() - 1;
   }
   return uses;

@@ -12,10 +12,6 @@ struct GlossaryEntry {
   int step;
 };
 
-/// All terms of a library, by their names as a dictionary sorts them; of those that several lessons teach,
-/// the first. The library must outlive them.
-[[nodiscard]] std::vector<GlossaryEntry> glossaryOf(const LessonLibrary &library);
-
 /// A place in a text where a term stands.
 struct TermUse {
   std::size_t begin; ///< in bytes
@@ -23,8 +19,29 @@ struct TermUse {
   const GlossaryEntry *entry;
 };
 
-/// Where terms of a glossary stand in a text, as whole words in any case, the longest where several begin at
-/// one place: “signed distance” is no “distance”. From the beginning to the end; none overlap.
-[[nodiscard]] std::vector<TermUse> termsIn(std::string_view text, const std::vector<GlossaryEntry> &glossary);
+/// All terms of a library, each once: of those that several lessons teach, the first. The library must
+/// outlive it.
+class Glossary {
+public:
+  /// Without terms.
+  Glossary() = default;
+  explicit Glossary(const LessonLibrary &library);
+
+  /// By their names, as a dictionary sorts them.
+  [[nodiscard]] const std::vector<GlossaryEntry> &entries() const { return m_entries; }
+  /// Where terms stand in a text, as whole words in any case, the longest where several begin at one place:
+  /// “signed distance” is no “distance”. From the beginning to the end; none overlap.
+  [[nodiscard]] std::vector<TermUse> usesIn(std::string_view text) const;
+
+private:
+  /// A form of a term, in small letters.
+  struct Form {
+    std::string text;
+    std::size_t entry;
+  };
+
+  std::vector<GlossaryEntry> m_entries;
+  std::vector<Form> m_forms; ///< the longest first
+};
 
 } // namespace halfspace

@@ -11,8 +11,7 @@ std::string_view termAt(std::string_view address) {
   return address.starts_with(begin) ? address.substr(begin.size()) : std::string_view();
 }
 
-TermLinks::TermLinks(const std::vector<GlossaryEntry> &glossary, const LessonStep &step)
-    : m_glossary(glossary) {
+TermLinks::TermLinks(const Glossary &glossary, const LessonStep &step) : m_glossary(glossary) {
   for (const TaughtTerm &term : step.terms)
     m_known.insert(term.name);
 }
@@ -43,7 +42,7 @@ void TermLinks::addPieces(const MarkdownSpan &text, std::vector<MarkdownSpan> &s
     piece.face.link = link;
     begin = end;
   };
-  for (const TermUse &use : termsIn(text.text, m_glossary)) {
+  for (const TermUse &use : m_glossary.usesIn(text.text)) {
     if (!m_known.insert(use.entry->term->name).second)
       continue;
     addUpTo(use.begin, "");

@@ -19,7 +19,7 @@ inline constexpr const char *termScheme = "term";
 class TermLinks {
 public:
   /// The glossary must outlive it.
-  TermLinks(const std::vector<GlossaryEntry> &glossary, const LessonStep &step);
+  TermLinks(const Glossary &glossary, const LessonStep &step);
 
   void addTo(Markdown &words);
 
@@ -28,7 +28,7 @@ private:
   /// Goes on with a piece of text, in as many spans as it takes.
   void addPieces(const MarkdownSpan &text, std::vector<MarkdownSpan> &spans);
 
-  const std::vector<GlossaryEntry> &m_glossary;
+  const Glossary &m_glossary;
   std::set<std::string> m_known; ///< the names of those that have no link any more
 };
 

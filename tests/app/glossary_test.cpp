@@ -67,6 +67,37 @@ private slots:
     QVERIFY(!dialogOf(fixture)->findChild<QPushButton *>("termLesson")->isEnabled());
   }
 
+  void chosenTerm_staysSo_inAnotherTheme_andWithAnotherLesson() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.action(QKeySequence("Ctrl+G"))->trigger();
+    const auto picture = [&] {
+      return dialogOf(fixture)->findChild<QLabel *>("termFigure")->pixmap(Qt::ReturnByValue).toImage();
+    };
+    termsOf(fixture).setCurrentRow(5);
+    const QString term = termsOf(fixture).currentItem()->text();
+    const QImage light = picture();
+    fixture.window.look().chooseTheme("dark");
+    QCOMPARE(termsOf(fixture).currentItem()->text(), term);
+    QVERIFY(picture() != light);
+    fixture.model().openLesson("plane-implicit");
+    QCOMPARE(termsOf(fixture).currentItem()->text(), term);
+  }
+
+  void closedGlossary_isFilledWhenItIsOpenedAgain() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.action(QKeySequence("Ctrl+G"))->trigger();
+    const int all = termsOf(fixture).count();
+    dialogOf(fixture)->close();
+    LessonLibrary fewer = fixture.model().library();
+    fewer.lessons.resize(1);
+    fixture.model().startWith(startOf(fewer.lessons.front()), fewer);
+    fixture.window.look().chooseTheme("dark");
+    fixture.action(QKeySequence("Ctrl+G"))->trigger();
+    QVERIFY(termsOf(fixture).count() > 0 && termsOf(fixture).count() < all);
+  }
+
   void termAmongTheWords_clicked_isLookedUp_andLeadsToItsStep() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);

@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QSignalBlocker>
 
 #include <algorithm>
 #include <utility>
@@ -76,6 +77,8 @@ GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
 }
 
 void GlossaryDialog::setEntries(std::vector<Entry> entries, Figure figure) {
+  const QString chosen = m_list->currentItem() ? m_list->currentItem()->text() : QString();
+  const QSignalBlocker untilChosen(m_list);
   m_list->clear();
   m_entries = std::move(entries);
   m_figure = std::move(figure);
@@ -87,21 +90,25 @@ void GlossaryDialog::setEntries(std::vector<Entry> entries, Figure figure) {
   const int letter = m_list->fontMetrics().averageCharWidth();
   const int edges = 2 * (m_list->frameWidth() + letter) + m_list->verticalScrollBar()->sizeHint().width();
   m_list->setFixedWidth(widest + edges); // each term is seen whole
+  choose(chosen);
   search(m_search->text());
-}
-
-void GlossaryDialog::setTheme(const Theme &theme) {
-  m_meaning->setInk(theme.ink, theme);
   showChosen();
 }
 
-void GlossaryDialog::open(const QString &term) {
+void GlossaryDialog::setTheme(const Theme &theme) { m_meaning->setInk(theme.ink, theme); }
+
+bool GlossaryDialog::choose(const QString &term) {
   const auto found = std::find_if(m_entries.begin(), m_entries.end(),
                                   [&](const Entry &entry) { return entry.term == term; });
-  if (found != m_entries.end()) {
+  if (found == m_entries.end())
+    return false;
+  m_list->setCurrentRow(static_cast<int>(found - m_entries.begin()));
+  return true;
+}
+
+void GlossaryDialog::open(const QString &term) {
+  if (choose(term))
     m_search->clear(); // else it may be hidden
-    m_list->setCurrentRow(static_cast<int>(found - m_entries.begin()));
-  }
   show();
   raise();
   activateWindow();

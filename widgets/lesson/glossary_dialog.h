@@ -37,9 +37,11 @@ public:
   /// The typesetter must outlive it.
   GlossaryDialog(const Typesetter &typesetter, QWidget *parent);
 
-  /// The entries in their order. A figure is asked for when its entry is shown.
-  void setEntries(std::vector<Entry> entries, Figure figure);
+  /// For the entries that come after it.
   void setTheme(const Theme &theme);
+  /// The entries in their order; the term that is chosen stays so. A figure is asked for when its entry is
+  /// shown.
+  void setEntries(std::vector<Entry> entries, Figure figure);
   /// Comes to the front with an entry chosen; nothing happens to the choice where it has no such term.
   void open(const QString &term = {});
 
@@ -47,6 +49,8 @@ signals:
   void lessonWanted(std::size_t entry);
 
 private:
+  /// Whether there is an entry for the term.
+  bool choose(const QString &term);
   void search(const QString &words);
   void showChosen();
 

@@ -77,7 +77,7 @@ void LessonPage::setLesson(const Lesson &lesson) {
   m_stepCount = static_cast<int>(titles.size());
 }
 
-void LessonPage::showStep(const LessonStep &step, int number, const std::vector<GlossaryEntry> &glossary) {
+void LessonPage::showStep(const LessonStep &step, int number, const Glossary &glossary) {
   m_head->setStep(number, m_stepCount, QString::fromStdString(step.title));
   // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.
   if (isAncestorOf(QApplication::focusWidget()))
@@ -87,7 +87,7 @@ void LessonPage::showStep(const LessonStep &step, int number, const std::vector<
   m_scroll->verticalScrollBar()->setValue(0);
 }
 
-void LessonPage::makeBlocks(const LessonStep &step, const std::vector<GlossaryEntry> &glossary) {
+void LessonPage::makeBlocks(const LessonStep &step, const Glossary &glossary) {
   auto *blocks = new StepBlocks(m_typesetter, step, glossary, {m_folder}, m_practice.working(), m_flight);
   connect(blocks, &StepBlocks::predictionChosen, this, [this](const QString &word) {
     // The choices are disabled now: the next widget that takes keys may be a number.

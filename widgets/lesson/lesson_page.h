@@ -27,7 +27,7 @@ public:
   void setLesson(const Lesson &lesson);
   /// Shows a step, which has this number among those of the lesson, counted from 0, with the glossary that
   /// its words lead to. They come by `showWords`.
-  void showStep(const LessonStep &step, int number, const std::vector<GlossaryEntry> &glossary);
+  void showStep(const LessonStep &step, int number, const Glossary &glossary);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
   /// Sets the step's words with what their live values are now. These are asked for again where words come
@@ -60,7 +60,7 @@ protected:
 private:
   void layOut();
   /// Puts the step's blocks on the page, instead of those that were there.
-  void makeBlocks(const LessonStep &step, const std::vector<GlossaryEntry> &glossary);
+  void makeBlocks(const LessonStep &step, const Glossary &glossary);
   /// So that no line of words gets too long.
   void setMargins();
   void scrollTo(const QWidget &part);

@@ -12,9 +12,8 @@
 
 namespace halfspace {
 
-StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step,
-                       const std::vector<GlossaryEntry> &glossary, LessonPictures pictures,
-                       StepWorking &working, FlightBlocks &flight)
+StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step, const Glossary &glossary,
+                       LessonPictures pictures, StepWorking &working, FlightBlocks &flight)
     : m_typesetter(typesetter), m_pictures(std::move(pictures)), m_working(working), m_flight(flight) {
   working.dropBlocks();
   flight.dropBlocks();

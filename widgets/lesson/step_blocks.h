@@ -19,7 +19,7 @@ class StepBlocks : public QWidget {
 public:
   /// The lines and the flight forget the blocks that they had, and get those of this step. All must outlive
   /// it but the step and the glossary, to which its words lead.
-  StepBlocks(const Typesetter &typesetter, const LessonStep &step, const std::vector<GlossaryEntry> &glossary,
+  StepBlocks(const Typesetter &typesetter, const LessonStep &step, const Glossary &glossary,
              LessonPictures pictures, StepWorking &working, FlightBlocks &flight);
 
   /// Sets the words with what their live values are now, which are asked for again where words come into

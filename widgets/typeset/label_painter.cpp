@@ -39,6 +39,12 @@ RgbaImage fromImage(const QImage &image) {
   return picture;
 }
 
+QImage toImage(const RgbaImage &image) {
+  const QImage sameBytes(image.rgba.data(), image.width, image.height, image.width * 4,
+                         QImage::Format_RGBA8888);
+  return sameBytes.copy(); // which lives on its own
+}
+
 RgbaImage paintLabel(const MathPicture &formula, const LabelStyle &style) {
   const double em = style.pixelSize;
   const LabelRoom room = roomOf(*formula.layout(), style);

@@ -19,5 +19,6 @@ class Typesetter;
 
 /// The same pixels.
 [[nodiscard]] RgbaImage fromImage(const QImage &image);
+[[nodiscard]] QImage toImage(const RgbaImage &image);
 
 } // namespace halfspace

@@ -74,14 +74,14 @@ TEST(Course, EveryLessonHasAPlaceOfItsOwn_BehindThoseThatItNeeds) {
 }
 
 TEST(Course, NoTermIsUsedBeforeItIsTaught) {
-  const std::vector<GlossaryEntry> glossary = glossaryOf(library());
+  const Glossary glossary(library());
   for (const Lesson &lesson : library().lessons) {
     std::set<std::string> known = termsOf(needsOf(lesson));
     for (const LessonStep &step : lesson.steps) {
       addTerms(step, known);
       const std::string text = textOf(lesson, step);
       std::set<std::string> unknown;
-      for (const TermUse &use : termsIn(text, glossary))
+      for (const TermUse &use : glossary.usesIn(text))
         if (!known.contains(use.entry->term->name))
           unknown.insert(use.entry->term->name + " (of " + use.entry->lesson->id + ")");
       for (const std::string &term : unknown)
@@ -92,13 +92,13 @@ TEST(Course, NoTermIsUsedBeforeItIsTaught) {
 
 /// Whether a lesson speaks of what another teaches: by a term, or by its title.
 bool speaksOf(const Lesson &lesson, const Lesson &needed) {
-  const std::vector<GlossaryEntry> glossary = glossaryOf(library());
+  const Glossary glossary(library());
   const std::set<std::string> taught = termsOf({&needed});
   for (const LessonStep &step : lesson.steps) {
     for (const LessonWords &piece : wordsOf(step))
       if (piece.text.written().find(needed.title) != std::string::npos)
         return true;
-    for (const TermUse &use : termsIn(textOf(lesson, step), glossary))
+    for (const TermUse &use : glossary.usesIn(textOf(lesson, step)))
       if (taught.contains(use.entry->term->name))
         return true;
   }

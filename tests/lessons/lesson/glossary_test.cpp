@@ -26,16 +26,17 @@ LessonLibrary samples() {
 
 std::vector<std::string> found(std::string_view text) {
   const LessonLibrary library = samples();
-  const auto glossary = glossaryOf(library);
+  const Glossary glossary(library);
   std::vector<std::string> texts;
-  for (const TermUse &use : termsIn(text, glossary))
+  for (const TermUse &use : glossary.usesIn(text))
     texts.push_back(std::string(text.substr(use.begin, use.size)) + ": " + use.entry->term->name);
   return texts;
 }
 
 TEST(Glossary, HasEveryTerm_AsADictionarySortsThem_WithItsStep) {
   const LessonLibrary library = samples();
-  const auto glossary = glossaryOf(library);
+  const Glossary all(library);
+  const auto &glossary = all.entries();
   ASSERT_EQ(glossary.size(), 3U);
   EXPECT_EQ(glossary[0].term->name, "Distance");
   EXPECT_EQ(glossary[1].term->name, "ray");
@@ -44,7 +45,7 @@ TEST(Glossary, HasEveryTerm_AsADictionarySortsThem_WithItsStep) {
   EXPECT_EQ(glossary[2].step, 1);
 }
 
-TEST(TermsIn, AreWholeWords_InAnyCase_TheLongestFirst) {
+TEST(Glossary, FindsTermsAsWholeWords_InAnyCase_TheLongestFirst) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(found("Rays have a signed distance."), (Texts{"Rays: ray", "signed distance: signed distance"}));
   EXPECT_EQ(found("the distance, DISTANCES"), (Texts{"distance: Distance", "DISTANCES: Distance"}));

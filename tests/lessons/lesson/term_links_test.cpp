@@ -17,7 +17,7 @@ const LessonLibrary &library() {
 
 /// The words with each link as [text](address).
 std::string linked(const std::string &text, int step = 1) {
-  const auto glossary = glossaryOf(library());
+  const Glossary glossary(library());
   TermLinks links(glossary, library().lessons.front().steps[static_cast<std::size_t>(step)]);
   Markdown words = *readMarkdown(text);
   links.addTo(words);
