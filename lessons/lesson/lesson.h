@@ -69,10 +69,15 @@ namespace halfspace {
 
 /// Something to bring about in the scene; it is done once all conditions hold.
 struct Task {
+  struct Hint {
+    MarkdownText text;
+    int line = 0; ///< in the file
+  };
   MarkdownText instruction;
   Conditions conditions; ///< of values as findValue finds them; `when:` lines join them with `and`
   MarkdownText now{};    ///< how far the learner is, told until the task is done; may be empty
   MarkdownText answer{}; ///< to what the instruction asks, told once it is done; empty where it asks nothing
+  std::vector<Hint> hints{}; ///< told one by one, when asked for; each leads farther than the one before
   // In the file:
   int line = 0; ///< of the instruction
   int conditionsLine = 0;
@@ -223,6 +228,7 @@ struct Lesson {
 [[nodiscard]] Result<Lesson> readLesson(const std::filesystem::path &file);
 inline constexpr std::size_t maxLessonBytes = 1 << 20;
 inline constexpr std::size_t mostMacros = 100;
+inline constexpr std::size_t mostHints = 3;      ///< of a task
 inline constexpr std::size_t longestMacro = 500; ///< bytes
 
 /// The step of this number, counted from 0; where the lesson has none, one that shows everything.

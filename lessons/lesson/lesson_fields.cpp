@@ -138,6 +138,16 @@ std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReade
   return choices;
 }
 
+std::vector<Task::Hint> readHints(const DocumentNode &node, FieldReader &fields) {
+  std::vector<Task::Hint> hints;
+  for (const DocumentNode *text : textsIn(node, "hints", fields))
+    hints.push_back({text->text, text->line});
+  if (hints.size() > mostHints)
+    fields.complain(node, "hints",
+                    words("A task has at most {limit} hints.", {{"limit", std::to_string(mostHints)}}));
+  return hints;
+}
+
 /// What stands between commas or spaces, with the lines of the file.
 StepLines namesIn(const TextBlock &block) {
   constexpr std::string_view between = ", \t\r\n";
@@ -215,7 +225,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"do", "when", "now", "done"});
+  fields.allowOnly({"do", "when", "now", "hints", "done"});
   Task task;
   task.instruction = fields.text("do");
   auto conditions = parseConditions(fields.text("when"));
@@ -234,6 +244,10 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   };
   takeIfThere("now", task.now, task.nowLine);
   takeIfThere("done", task.answer, task.answerLine);
+  if (const DocumentNode *hints = fields.optional("hints"))
+    task.hints = readHints(*hints, fields);
+  if (fields.problem())
+    return *fields.problem();
   return task;
 }
 

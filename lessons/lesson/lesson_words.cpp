@@ -44,6 +44,8 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
                          words.emplace_back(task.instruction, std::vector{task.line}, "do");
                          if (!task.now.isEmpty())
                            words.emplace_back(task.now, std::vector{task.nowLine}, "now");
+                         for (const Task::Hint &hint : task.hints)
+                           words.emplace_back(hint.text, std::vector{hint.line}, "hints");
                          if (!task.answer.isEmpty())
                            words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
                        },

@@ -47,8 +47,14 @@ QWidget *StepBlocks::blockOf(const StepNote &note) {
 QWidget *StepBlocks::blockOf(const Task &task) {
   auto *row = new TaskRow(m_typesetter);
   m_tasks.push_back(row);
-  const auto fill = [this, row, instruction = task.instruction, now = task.now, answer = task.answer] {
-    row->setWords(filledIn(instruction.markdown(), m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
+  connect(row, &TaskRow::hintTold, this, [this, row] { emit reached(row); });
+  const auto fill = [this, row, task] {
+    row->setWords(filledIn(task.instruction.markdown(), m_valueOf), filledWhenSeen(task.now),
+                  filledWhenSeen(task.answer));
+    std::vector<Lazy<FilledMarkdown>> hints;
+    for (const Task::Hint &hint : task.hints)
+      hints.push_back(filledWhenSeen(hint.text));
+    row->setHints(std::move(hints));
   };
   m_filled.push_back({std::make_unique<WhenSeen>(*row, fill), true}); // the lazy parts of most are
   return row;

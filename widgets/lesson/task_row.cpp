@@ -45,7 +45,7 @@ private:
 
 TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_words(new RichLabel(typesetter)), m_remark(new RichLabel(typesetter)),
-      m_now(noWords), m_answer(noWords),
+      m_hints(new HintColumn(typesetter)), m_now(noWords), m_answer(noWords),
       m_holdsAlready(withNames(
           MarkdownText(tr("It is so already. Change that, then bring it about again.").toStdString())
               .markdown())),
@@ -54,7 +54,10 @@ TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
   auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
   layout->addWidget(m_remark);
+  layout->addWidget(m_hints);
   m_remark->hide();
+  m_hints->hide();
+  connect(m_hints, &HintColumn::told, this, &TaskRow::hintTold);
   setTheme(m_theme);
 }
 
@@ -66,8 +69,14 @@ void TaskRow::setWords(FilledMarkdown instruction, Lazy<FilledMarkdown> now, Laz
     tellScreenReader();
 }
 
+void TaskRow::setHints(std::vector<Lazy<FilledMarkdown>> hints) {
+  m_hints->setHints(std::move(hints));
+  m_hints->setVisible(isDue() && !m_hints->isEmpty());
+}
+
 void TaskRow::setHeld(bool held) {
   m_words->setHeld(held);
+  m_hints->setHeld(held);
   m_remark->setHeld(held);
 }
 
@@ -84,6 +93,7 @@ void TaskRow::setState(TaskState state) {
     return;
   m_state = state;
   showRemark();
+  m_hints->setVisible(isDue() && !m_hints->isEmpty());
   setInks();
   setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
   tellScreenReader();
@@ -92,14 +102,16 @@ void TaskRow::setState(TaskState state) {
 
 void TaskRow::setTheme(const Theme &theme) {
   m_theme = theme;
+  m_hints->setTheme(theme);
   layout()->setContentsMargins(marginsAt(theme));
   setInks();
   update();
 }
 
+bool TaskRow::isDue() const { return m_state == TaskState::Open || m_state == TaskState::HoldsAlready; }
+
 void TaskRow::setInks() {
-  const bool isDue = m_state == TaskState::Open || m_state == TaskState::HoldsAlready;
-  m_words->setInk(isDue ? m_theme.ink : m_theme.mutedInk, m_theme);
+  m_words->setInk(isDue() ? m_theme.ink : m_theme.mutedInk, m_theme);
   m_remark->setInk(m_state == TaskState::Done ? m_theme.ink : m_theme.mutedInk, m_theme);
 }
 

@@ -137,6 +137,9 @@ foot
 do: Go there.
 when: side = negative and f < -1/2
 now: $f$ is {f}.
+hints:
+  - Where is $Q$?
+  - 'Drag $Q$: along $\vec n$.'
 done: $Q$ is there.
 ```
 More.
@@ -161,6 +164,9 @@ why: So.
   EXPECT_EQ(tasks[0].instruction.written(), "Go there.");
   EXPECT_EQ(tasks[0].now.written(), "$f$ is {f}.");
   EXPECT_EQ(tasks[0].answer.written(), "$Q$ is there.");
+  ASSERT_EQ(tasks[0].hints.size(), 2U);
+  EXPECT_EQ(tasks[0].hints[1].text.written(), "Drag $Q$: along $\\vec n$.");
+  EXPECT_EQ(tasks[0].hints[1].line, tasks[0].hints[0].line + 1);
   ASSERT_EQ(tasks[0].conditions.size(), 2U);
   EXPECT_EQ(tasks[0].conditions[1].relation, Condition::Relation::Less);
   EXPECT_EQ(tasks[0].conditions[1].against, "-1/2");
@@ -360,6 +366,10 @@ TEST(LessonProblems, InBlocks_NameLineAndField) {
   EXPECT_EQ(when.field, "when");
   EXPECT_EQ(problemOf(frontMatter + "## One\n```task\nwhen: t = 1\n```\n").field, "do");
   EXPECT_EQ(problemOf(frontMatter + "## One\n```task\ndo: x\n```\n").field, "when");
+  const std::string task = frontMatter + "## One\n```task\ndo: x\nwhen: t = 1\n";
+  EXPECT_EQ(problemOf(task + "now: [a]\n```\n").field, "now");
+  EXPECT_EQ(problemOf(task + "hints: [[a]]\n```\n").field, "hints");
+  EXPECT_EQ(problemOf(task + "hints: [a, b, c, d]\n```\n").line, 16);
   EXPECT_EQ(
       problemOf(frontMatter + "## One\n```predict\nask: a\nanswer: t\nwhy: c\nchoices: {a: b}\n```\n").field,
       "choices");

@@ -39,6 +39,8 @@ struct BlockTranslator {
   void operator()(Task &task) const {
     for (MarkdownText *words : {&task.instruction, &task.now, &task.answer})
       translate(*words);
+    for (Task::Hint &hint : task.hints)
+      translate(hint.text);
   }
   void operator()(Prediction &prediction) const {
     translate(prediction.question);

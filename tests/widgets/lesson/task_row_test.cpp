@@ -7,6 +7,8 @@
 
 #include <QPainter>
 #include <QPixmap>
+#include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace halfspace;
@@ -19,6 +21,15 @@ QColor rightInk() { return toQColor(theme().inkOf(Subject::Triangle)); }
 
 Lazy<FilledMarkdown> later(const char *markdown) {
   return Lazy<FilledMarkdown>([markdown] { return asWritten(markdown); });
+}
+
+/// Those that are seen.
+QStringList hintsIn(const TaskRow &row) {
+  QStringList hints;
+  for (const RichLabel *label : row.findChild<HintColumn *>()->findChildren<RichLabel *>())
+    if (label->isVisibleTo(&row))
+      hints << label->plain();
+  return hints;
 }
 
 QImage painted(Verdict verdict) {
@@ -106,6 +117,34 @@ private slots:
     row.setState(TaskState::Done);
     QCOMPARE(row.spokenDescription(), QString());
     QVERIFY(row.heightForWidth(400) < withNow);
+  }
+
+  void hints_areToldOneByOne_whileTheTaskIsDue() {
+    TaskRow row(m_typesetter);
+    row.setWords(asWritten("Make $f(Q) = 0$."), later(""), later("There."));
+    row.setHints({later("Look at $n$."), later("Drag $Q$ along it.")});
+    row.show();
+    auto *button = row.findChild<QToolButton *>("hint");
+    QVERIFY(button->isVisible());
+    QSignalSpy told(&row, &TaskRow::hintTold);
+    QCOMPARE(hintsIn(row), QStringList());
+    button->click();
+    QCOMPARE(hintsIn(row), QStringList{"Look at n."});
+    row.setHints({later("Look at $n$."), later("Drag $Q$ up.")}); // its live values may have changed
+    button->click();
+    QCOMPARE(hintsIn(row), (QStringList{"Look at n.", "Drag Q up."}));
+    QCOMPARE(told.size(), 2);
+    QVERIFY(!button->isVisible());
+    row.setState(TaskState::Done);
+    QCOMPARE(hintsIn(row), QStringList());
+  }
+
+  void row_withoutHints_offersNone() {
+    TaskRow row(m_typesetter);
+    row.setWords(asWritten("Make $f(Q) = 0$."), later(""), later(""));
+    row.setHints({});
+    row.show();
+    QVERIFY(!row.findChild<QToolButton *>("hint")->isVisible());
   }
 
   void row_ofATaskThatWaits_isPalerAndSaysWhy() {
