@@ -56,6 +56,11 @@ std::string plainText(const WorkingLine &line) {
   return joined(line.chains, [](const Chain &chain) { return plainText(chain); });
 }
 
+bool isOneExpression(const WorkingLine &line) {
+  const Chain &chain = line.chains.front();
+  return line.chains.size() == 1 && chain.isIdentity() && chain.symbolic() == 1 && chain.sides().size() > 1;
+}
+
 std::string symbolsText(const WorkingLine &line) {
   return joined(line.chains, [](const Chain &chain) { return plainText(chain, 0, chain.symbolic()); });
 }

@@ -78,6 +78,8 @@ struct Working {
 /// The line in plain text, and in words to be read aloud; its sentence is not in it.
 [[nodiscard]] std::string plainText(const WorkingLine &line);
 [[nodiscard]] std::string spoken(const WorkingLine &line);
+/// Whether its symbols are one expression, as n·u, so that nothing tells that a result belongs behind them.
+[[nodiscard]] bool isOneExpression(const WorkingLine &line);
 /// The line with its numbers left out: f(Q) = n·(Q − P₀); or s, t, s + t.
 [[nodiscard]] std::string symbolsText(const WorkingLine &line);
 

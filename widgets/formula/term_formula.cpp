@@ -293,4 +293,11 @@ math::Row formulaOf(const std::vector<ChainPart> &parts) {
   return written(parts, TermWriter(FormulaNotation()));
 }
 
+math::Row waitingFormulaOf(const WorkingLine &line) {
+  math::Row symbols = formulaOf(symbolsOf(line));
+  if (!isOneExpression(line))
+    return symbols;
+  return math::row(std::move(symbols), math::symbol('=', AtomClass::Rel), math::symbol('?', AtomClass::Ord));
+}
+
 } // namespace halfspace

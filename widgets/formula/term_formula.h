@@ -37,4 +37,7 @@ struct TraceableFormula {
 [[nodiscard]] math::Row formulaOf(const std::vector<Chain> &statements);
 [[nodiscard]] math::Row formulaOf(const std::vector<ChainPart> &parts);
 
+/// A line that waits with its numbers: its symbols, with `= ?` behind a single expression.
+[[nodiscard]] math::Row waitingFormulaOf(const WorkingLine &line);
+
 } // namespace halfspace

@@ -22,8 +22,20 @@ StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step, con
   TermLinks links(glossary, step);
   const Overloaded makeBlock{[&](const StepWords &words) { return blockOf(words, links); },
                              [this](const auto &each) { return blockOf(each); }};
-  for (const StepBlock &block : step.blocks)
+  for (const StepBlock &block : step.blocks) {
     column->addWidget(std::visit(makeBlock, block));
+    if (std::holds_alternative<Prediction>(block))
+      column = columnBehindQuestion(*column);
+  }
+}
+
+QVBoxLayout *StepBlocks::columnBehindQuestion(QVBoxLayout &column) {
+  m_behindQuestion = new QWidget;
+  m_behindQuestion->hide();
+  column.addWidget(m_behindQuestion);
+  auto *behind = new QVBoxLayout(m_behindQuestion);
+  behind->setContentsMargins(0, 0, 0, 0);
+  return behind;
 }
 
 QWidget *StepBlocks::blockOf(const StepWords &words, TermLinks &links) {
@@ -111,8 +123,10 @@ void StepBlocks::setTaskStates(const std::vector<TaskState> &states) {
 }
 
 void StepBlocks::setAnswer(const std::optional<GivenAnswer> &answer) {
-  if (m_prediction)
-    m_prediction->setAnswer(answer);
+  if (!m_prediction)
+    return;
+  m_prediction->setAnswer(answer);
+  m_behindQuestion->setVisible(answer.has_value());
 }
 
 void StepBlocks::setHeld(bool held) {

@@ -7,6 +7,8 @@
 #include "widgets/lesson/task_row.h"
 #include "widgets/when_seen.h"
 
+class QVBoxLayout;
+
 namespace halfspace {
 
 class NoteFold;
@@ -28,7 +30,8 @@ public:
   /// Of the tasks in their order; of those behind them nothing is known. The task that is due once another is
   /// done is to be in view.
   void setTaskStates(const std::vector<TaskState> &states);
-  /// To the question, if there is one; nothing: it is open.
+  /// To the question, if there is one; nothing: it is open. What stands behind an open question would often
+  /// answer it, and is not shown.
   void setAnswer(const std::optional<GivenAnswer> &answer);
   /// While they are held none becomes less high.
   void setHeld(bool held);
@@ -41,6 +44,8 @@ signals:
   void reached(const QWidget *part);
 
 private:
+  /// The column of what stands behind the question, the last of this one.
+  [[nodiscard]] QVBoxLayout *columnBehindQuestion(QVBoxLayout &column);
   [[nodiscard]] QWidget *blockOf(const StepWords &words, TermLinks &links);
   [[nodiscard]] QWidget *blockOf(const StepLines &lines);
   [[nodiscard]] QWidget *blockOf(const StepNote &note);
@@ -70,6 +75,7 @@ private:
   std::vector<TaskRow *> m_tasks;
   const TaskRow *m_dueTask = nullptr;    ///< null while none is known, or all are done
   PredictionBox *m_prediction = nullptr; ///< null in steps without one
+  QWidget *m_behindQuestion = nullptr;   ///< likewise
 };
 
 } // namespace halfspace

@@ -37,7 +37,7 @@ TypesetLine typesetWhole(const Typesetter &typesetter, const WorkingLine &line, 
 TypesetLine typesetSymbols(const Typesetter &typesetter, const WorkingLine &line) {
   TypesetLine typeset{line};
   typeset.isPartial = true;
-  typeset.pieces[0] = pictureOf(typesetter, formulaOf(symbolsOf(line)));
+  typeset.pieces[0] = pictureOf(typesetter, waitingFormulaOf(line));
   return typeset;
 }
 

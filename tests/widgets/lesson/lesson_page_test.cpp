@@ -153,6 +153,7 @@ private slots:
                                      {Task{"A task.", {}}, StepLines(), StepWords{"Some words."},
                                       someQuestion(), StepLines(), StepNote{"A note", {"More words."}}}}});
     ShownPage shown(lesson);
+    shown.page.setAnswer(GivenAnswer{"positive", "positive"});
     shown.setWorking(test::tracedWorking(), {1, 2});
     const auto blocks = shown.shown<WorkingBlock>();
     QCOMPARE(blocks.size(), 2);
@@ -339,6 +340,23 @@ private slots:
     shown.page.setAnswer({}); // asked again: nothing is given away
     QCOMPARE(choices[0]->verdict(), Verdict::Open);
     QVERIFY(choices[0]->isEnabled());
+  }
+
+  void whatStandsBehindAnOpenQuestion_isSeenOnceItIsAnswered() {
+    ShownPage shown(lessonOf({{"All",
+                               {StepWords{"Some words."}, StepLines(), someQuestion(), StepLines(),
+                                StepWords{"The answer."}, Task{"A task.", {}}}}}));
+    shown.setWorking(test::tracedWorking(), {1, 2});
+    const auto isBehindSeen = [&] {
+      return shown.words("The answer") && shown.shown<TaskRow>().size() == 1 &&
+             shown.shown<WorkingBlock>().size() == 2;
+    };
+    QVERIFY(shown.words("Some words") && shown.shown<WorkingBlock>().size() == 1);
+    QVERIFY(!shown.words("The answer") && shown.shown<TaskRow>().isEmpty());
+    shown.page.setAnswer(GivenAnswer{"negative", "positive"});
+    QVERIFY(isBehindSeen());
+    shown.page.setAnswer({});
+    QVERIFY(!isBehindSeen());
   }
 
   void answeredQuestion_ofAnotherScene_canBeTriedAgain() {

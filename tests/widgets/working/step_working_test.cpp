@@ -184,6 +184,8 @@ private slots:
     QVERIFY(shown.second().shownNumbers().inLine(0).empty());
     QCOMPARE(shown.second().latexOfAll().count('='), 2);
     QVERIFY(!shown.second().spoken().contains("10"));
+    QVERIFY(shown.first().spoken().endsWith("= ?")); // of u·u alone nobody would know
+    QVERIFY(!shown.second().spoken().contains("?"));
   }
 
   void lastField_ofABlockThatIsFilledIn_handsTheKeysToTheNextBlock() {
