@@ -89,8 +89,10 @@ public:
                                : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
   }
 
+  /// How many numbers are asked for.
+  [[nodiscard]] std::size_t count() const { return m_truth.entries.size(); }
   [[nodiscard]] bool hasAsManyNumbers(const TypedAnswer &answer) const {
-    return answer.entries.size() == m_truth.entries.size();
+    return answer.entries.size() == count();
   }
 
   /// What is wrong with an answer of as many numbers as are asked for.
@@ -280,7 +282,7 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
 
 Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed) {
   const AskedGap asked(line, gap);
-  const auto answer = readAnswer(typed, language().decimalMark);
+  const auto answer = readAnswer(typed, language().decimalMark, asked.count());
   if (!answer || !asked.canBe(*answer))
     return {false, withAnswer(asked.sentenceForNoAnswer(), shortened(typed)), false};
   if (asked.isRight(*answer))

@@ -206,11 +206,9 @@ std::string withPoints(std::string_view typed, char decimalMark) {
   return text;
 }
 
-std::optional<TypedAnswer> readPlain(std::string_view text) {
-  if (const auto sign = text.find('='); sign != std::string_view::npos)
-    return readEquation(text, sign);
+std::optional<TypedAnswer> readList(const std::vector<std::string_view> &pieces) {
   TypedAnswer answer;
-  for (const std::string_view piece : piecesOf(text)) {
+  for (const std::string_view piece : pieces) {
     const auto entry = readEntry(piece);
     if (!entry)
       return {};
@@ -218,6 +216,28 @@ std::optional<TypedAnswer> readPlain(std::string_view text) {
   }
   answer.isList = answer.entries.size() > 1;
   return answer;
+}
+
+/// The numbers between spaces, without the parentheses around all; none where something else stands there.
+std::vector<std::string_view> numbersBetweenSpaces(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('(') && text.ends_with(')'))
+    text = trimmed(text.substr(1, text.size() - 2));
+  std::vector<std::string_view> pieces;
+  while (!text.empty()) {
+    const std::string_view piece = text.substr(0, text.find(' '));
+    if (!parseRational(plainSpelling(piece)))
+      return {};
+    pieces.push_back(piece);
+    text = trimmed(text.substr(piece.size()));
+  }
+  return pieces;
+}
+
+std::optional<TypedAnswer> readPlain(std::string_view text) {
+  if (const auto sign = text.find('='); sign != std::string_view::npos)
+    return readEquation(text, sign);
+  return readList(piecesOf(text));
 }
 
 } // namespace
@@ -248,11 +268,15 @@ bool TypedAnswer::meansEquation(const TermValue &left) const {
   return areEqual(typed * meant.summands().front().factor, meant * typed.summands().front().factor) == true;
 }
 
-std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark) {
+std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark, std::size_t numbersAskedFor) {
   if (text.size() > longestAnswer)
     return {};
+  const std::string pointed = withPoints(text, decimalMark);
+  if (const auto apart = numbersBetweenSpaces(pointed);
+      numbersAskedFor > 1 && apart.size() == numbersAskedFor)
+    return readList(apart);
   if (decimalMark != '.')
-    if (auto answer = readPlain(withPoints(text, decimalMark)))
+    if (auto answer = readPlain(pointed))
       return answer;
   return readPlain(text); // (1,2,3) is a list whatever the mark
 }

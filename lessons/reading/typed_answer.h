@@ -35,7 +35,11 @@ struct TypedAnswer {
 /// commas, or by semicolons where the comma is a decimal mark. Equations have letters: x + 2y + 2z = 27.
 /// Nothing for any other text, for numbers that leave A + B√n, and for texts of more than `longestAnswer`
 /// bytes. Where the comma is the decimal mark, 1,5 is 3/2, and (1, 2, 3) and (1,2,3) are lists still.
-[[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark = '.');
+///
+/// Where so many numbers are asked for, more than one, as many that have nothing but spaces between them are
+/// a list too: 1 -2 3 is (1, -2, 3), and not 1 - 2·3.
+[[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark = '.',
+                                                    std::size_t numbersAskedFor = 1);
 inline constexpr std::size_t longestAnswer = 120;
 /// Products of sums of letters grow without end: an answer with more summands is none.
 inline constexpr std::size_t mostSummands = 64;

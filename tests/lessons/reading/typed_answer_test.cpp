@@ -56,6 +56,17 @@ TEST(ReadAnswer, WithADecimalComma_TellsItFromOneThatParts) {
   EXPECT_FALSE(readAnswer("1,,,5", ','));
 }
 
+TEST(ReadAnswer, WhereSeveralNumbersAreAskedFor_NeedsNoCommas) {
+  const TermValue list = TermValue::list(
+      {Polynomial(Real(1)), Polynomial(Real(Rational(-2, 3))), Polynomial(Real(Rational(5, 2)))});
+  for (const char *text : {"1 -2/3 2.5", "(1 -2/3 2.5)", "  1  −2/3   5/2 ", "1, -2/3, 2.5"})
+    EXPECT_TRUE(readAnswer(text, '.', 3) && readAnswer(text, '.', 3)->means(list)) << text;
+  EXPECT_TRUE(readAnswer("1 -2/3 2,5", ',', 3)->means(list));
+  EXPECT_FALSE(readAnswer("1 -2 - 3", '.', 3)->isList) << "a difference";
+  EXPECT_FALSE(readAnswer("1 2", '.', 3)) << "too few";
+  EXPECT_TRUE(readAnswer("1 -2 -3")->means(Surd(-4))) << "one number is asked for";
+}
+
 TEST(ReadAnswer, OfAnythingElse_IsNothing) {
   for (const char *text : {"", "-", "1/0", "1/x", "1/√0", "√-2", "√", "3..5", "2*", "(2", "2)", "1+", "√2+√3",
                            "√√2", "√x", "1,,2", "_"})
