@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/library/contents_presenter.h"
+#include "app/library/formula_presenter.h"
 #include "app/library/glossary_presenter.h"
 #include "app/library/lesson_reloader.h"
 #include "app/library/own_lesson_folders.h"
@@ -87,14 +88,15 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
+  auto *formulas = new FormulaPresenter(m_model, m_look, m_panels.typesetter(), *this);
   QMenuBar *bar = menuBar();
   auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
   bar->addMenu(file);
   bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), bar));
   bar->addMenu(new ViewMenu(*camera, m_look, m_layout, m_panels, bar));
-  bar->addMenu(
-      new LessonMenu(m_step.turner(), m_step.page(), m_step.flight(), contents, *glossary, ownLessons, bar));
+  bar->addMenu(new LessonMenu(m_step.turner(), m_step.page(), m_step.flight(), contents, *glossary, *formulas,
+                              ownLessons, bar));
   bar->addMenu(new HelpMenu(*this, bar));
   createSceneTools(*camera);
 }

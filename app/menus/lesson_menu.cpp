@@ -1,6 +1,7 @@
 #include "app/menus/lesson_menu.h"
 
 #include "app/library/contents_presenter.h"
+#include "app/library/formula_presenter.h"
 #include "app/library/glossary_presenter.h"
 #include "app/library/own_lesson_folders.h"
 #include "app/menus/add_item.h"
@@ -12,14 +13,15 @@
 namespace halfspace {
 
 LessonMenu::LessonMenu(StepTurner &turner, PagePresenter &page, FlightPresenter &flight,
-                       ContentsPresenter &contents, GlossaryPresenter &glossary, OwnLessonFolders &ownLessons,
-                       QWidget *parent)
+                       ContentsPresenter &contents, GlossaryPresenter &glossary, FormulaPresenter &formulas,
+                       OwnLessonFolders &ownLessons, QWidget *parent)
     : QMenu(tr("&Lesson"), parent) {
   addItem(*this, tr("&Next Step"), QKeySequence("Ctrl+Right"), &turner, [&turner] { turner.turnBy(1); });
   addItem(*this, tr("&Previous Step"), QKeySequence("Ctrl+Left"), &turner, [&turner] { turner.turnBy(-1); });
   addItem(*this, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), &page, &PagePresenter::openNextLesson);
   addItem(*this, tr("&Contents"), QKeySequence("Ctrl+L"), &contents, &ContentsPresenter::show);
   addItem(*this, tr("&Glossary"), QKeySequence("Ctrl+G"), &glossary, &GlossaryPresenter::show);
+  addItem(*this, tr("Fo&rmulas"), QKeySequence("Ctrl+Shift+G"), &formulas, &FormulaPresenter::show);
   addFlightMenu(flight);
   addSeparator();
   QMenu &own = *addMenu(tr("Your &Own Lessons"));

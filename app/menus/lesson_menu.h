@@ -7,6 +7,7 @@ namespace halfspace {
 
 class ContentsPresenter;
 class FlightPresenter;
+class FormulaPresenter;
 class GlossaryPresenter;
 class OwnLessonFolders;
 class PagePresenter;
@@ -17,7 +18,8 @@ class LessonMenu : public QMenu {
 public:
   /// All must outlive it.
   LessonMenu(StepTurner &turner, PagePresenter &page, FlightPresenter &flight, ContentsPresenter &contents,
-             GlossaryPresenter &glossary, OwnLessonFolders &ownLessons, QWidget *parent);
+             GlossaryPresenter &glossary, FormulaPresenter &formulas, OwnLessonFolders &ownLessons,
+             QWidget *parent);
 
 private:
   /// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.

@@ -149,6 +149,17 @@ std::optional<Problem> addTerm(const TextBlock &block, const std::string &file, 
   return {};
 }
 
+std::optional<Problem> addFormulas(const TextBlock &block, const std::string &file, OpenStep &open) {
+  GatheredWords gathered;
+  addLines(gathered, block);
+  StepWords formulas = trimmedWords(std::move(gathered));
+  if (formulas.text.isEmpty())
+    return Problem{words("Here formulas and words are expected that are to be kept of the lesson."), file,
+                   block.firstLine - 1, "formulas"};
+  open.step.formulas.push_back(std::move(formulas));
+  return {};
+}
+
 /// A sort of blocks that are no code, by the word behind their fence.
 struct Instruction {
   std::string_view word;
@@ -164,6 +175,7 @@ constexpr std::array instructions{Instruction{"lines", &addBlock<readLines>},
                                   Instruction{"cost", &addBlock<readCost>},
                                   Instruction{"blank", &readBlank},
                                   Instruction{"term", &addTerm},
+                                  Instruction{"formulas", &addFormulas},
                                   Instruction{"draw", &readDrawn}};
 
 /// Puts a fenced block where it belongs in the step.

@@ -175,6 +175,7 @@ struct LessonStep {
   std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
   std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
   std::vector<TaughtTerm> terms{};
+  std::vector<StepWords> formulas{}; ///< to be kept; not on the page, see chapter_formulas.h
 };
 
 // The blocks of one sort, from top to bottom.

@@ -59,6 +59,10 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
     std::visit(add, block);
   for (const TaughtTerm &term : step.terms)
     words.push_back(withoutValues(term.meaning, term.meaningLine, "means"));
+  for (const StepWords &formulas : step.formulas) {
+    words.emplace_back(formulas.text, formulas.lines, "formulas");
+    words.back().fillsInValues = false;
+  }
   return words;
 }
 

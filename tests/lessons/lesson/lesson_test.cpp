@@ -271,6 +271,18 @@ TEST(Lesson, ADrawBlock_NamesMarks) {
   EXPECT_EQ(problemOf(frontMatter + "## One\n```draw\n\n```\n").field, "draw");
 }
 
+TEST(Lesson, AFormulasBlock_IsKept_AndStandsNotOnThePage) {
+  const auto lesson = parseLesson(
+      frontMatter + "## One\nWords.\n```formulas\nThe plane:\n\n$$x = 1$$\n```\n## Two\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  const LessonStep &step = lesson->steps.front();
+  EXPECT_EQ(sortsIn(step), "words lines ");
+  ASSERT_EQ(step.formulas.size(), 1U);
+  EXPECT_EQ(step.formulas[0].text.written(), "The plane:\n\n$$x = 1$$");
+  EXPECT_EQ(step.formulas[0].lines.front(), 15);
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```formulas\n\n```\n").line, 13);
+}
+
 TEST(Lesson, ABlankBlock_SaysWhichLinesAreLeftToTheLearner) {
   const auto lesson = parseLesson(
       frontMatter + "## One\n```blank\nlast\n```\n## Two\n```blank\n all \n```\n## Three\n", "a.md");

@@ -60,6 +60,8 @@ inline LessonLibrary inPseudoLanguage(LessonLibrary library) {
     for (std::string &source : lesson.sources)
       detail::translate(source);
     for (LessonStep &step : lesson.steps) {
+      for (StepWords &formulas : step.formulas)
+        detail::translate(formulas.text);
       detail::translate(step.title);
       for (StepBlock &block : step.blocks)
         std::visit(detail::BlockTranslator(), block);
