@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,6 +44,8 @@ struct Out : Computed<In> {
   Term m1 = momentOf(in.g).marked(mark("m1"));
   Term m2 = momentOf(in.h).marked(mark("m2"));
   Term p = ownName(letter("p"), related.product);
+  /// The volume of the tetrahedron that has the two directions, from the lines' points, as opposite edges.
+  Term T = ownName(letter("T"), Rational(abs(related.product) / 6)).marked(mark("tetrahedron"));
   Term c = ownName(vectorLetter("c"), common);
   Term s = ownName(letter("s"), stepsTo(nearest.first, in.g.object));
   Term t = ownName(letter("t"), stepsTo(nearest.second, in.h.object));
@@ -104,6 +107,13 @@ std::string signWords(const Out &at) {
 
 WorkingLine signLine(const Out &at) { return line(compared(at.p, 0), signWords(at)); }
 
+WorkingLine tetrahedronLine(const Out &at) {
+  return asked(withNumbers(at.T == norm(at.p) / 6),
+               at.related.product != 0
+                   ? words("The volume of the tetrahedron with the two arrows as opposite edges.")
+                   : words("0: the ends of the two arrows lie in one plane."));
+}
+
 std::string cosineWords(const Out &at) {
   return at.related.perpendicular
              ? words("Zero: the directions are perpendicular. The lines need not meet for that.")
@@ -160,6 +170,7 @@ LineTable<Out> lines() {
        }},
       {"product", &Out::areLines, productLine},
       {"sign", &Out::areLines, signLine},
+      {"tetrahedron", &Out::areLines, tetrahedronLine},
       {"perpendicular", &Out::areLines, [](const Out &at) { return withProducts(dot(at.g.v, at.h.v)); },
        cosineWords},
       {"c", &Out::areLines, commonLine},
@@ -186,6 +197,17 @@ void drawWay(Figure &figure, const Out &at, const Place &from, const Place &to) 
   figure.add(SegmentMark{drawn(at.dist, Role::Result, Subject::Measure), from, to});
   figure.add(RightAngleMark{{id + "/first", Role::Helper, Subject::Measure}, from, to - from, place(at.g.v)});
   figure.add(RightAngleMark{{id + "/second", Role::Helper, Subject::Measure}, to, from - to, place(at.h.v)});
+}
+
+void drawTetrahedron(Figure &figure, const Out &at) {
+  const std::array corners{place(at.g.A), place(at.g.A) + place(at.g.v), place(at.h.A),
+                           place(at.h.A) + place(at.h.v)};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::string &id = at.T->mark;
+    figure.add(PolygonMark{
+        {i == 0 ? id : id + "/" + std::to_string(i), Role::Derived, Subject::Measure},
+        {corners.at(i), corners.at((i + 1) % corners.size()), corners.at((i + 2) % corners.size())}});
+  }
 }
 
 /// How the second line passes the first: a curved arrow around the first, from the way between the lines
@@ -229,6 +251,7 @@ Figure draw(const Out &at) {
   if (at.related.which == LineLineCase::Skew) {
     drawWay(figure, at, place(at.F), place(at.G));
     drawTurn(figure, at);
+    drawTetrahedron(figure, at);
   }
   return figure;
 }
@@ -276,9 +299,10 @@ Construction line_line() {
       {.id = "line-line",
        .roles = {"g", "h"},
        .makes = {{"F", &Out::isCrossing, &Out::F}, {"G", &Out::isCrossing, &Out::G}},
-       .letters = {"p", "c", "s", "t", "dist"},
+       .letters = {"p", "T", "c", "s", "t", "dist"},
        .cases = {"same", "opposite", "parallel", "intersecting", "skew", "not-a-line"},
        .values = {{named::number("product"), &Out::areLines, &Out::p},
+                  {named::number("tetrahedron"), &Out::areLines, &Out::T},
                   {named::word("perpendicular", {"true", "false"}), &Out::areLines,
                    [](const Out &at) {
                      return ToldValue(words("perpendicular"), trueOrFalse(at.related.perpendicular));
@@ -287,7 +311,7 @@ Construction line_line() {
                   {named::vector("point"),
                    [](const Out &at) { return at.related.which == LineLineCase::Intersecting; }, &Out::F}},
        .lines = lines(),
-       .marks = {"m1", "m2", "dist", "turn", "F", "G"},
+       .marks = {"m1", "m2", "tetrahedron", "dist", "turn", "F", "G"},
        .tell = tell,
        .draw = draw,
        .nearby = nearby});

@@ -189,6 +189,7 @@ const std::vector<Solution> &solutions() {
       {"pluecker-lines", "Move $A_g$ until the line", {"g", LineObject{{-1, -2, 2}, {1, 2, -2}}}},
       {"pluecker-lines", "Move $A_g$ until the distance", {"g", LineObject{{3, 3, 0}, {1, 2, -2}}}},
       {"pluecker-lines", "Move $A_h$ or", {"h", LineObject{{3, 5, 8}, {-1, 2, 0}}}},
+      {"pluecker-lines", "Move $A_h$ until the tetrahedron", {"h", LineObject{{2, 6, 7}, {1, -2, 0}}}},
       {"pluecker-lines", "Move $A_h$ until the lines meet", {"h", LineObject{{4, 2, 4}, {1, -2, 0}}}},
       {"pluecker-lines", "Move $A_h$ until the lines are", {"h", LineObject{{6, 5, 2}, {1, -2, 0}}}},
       {"pluecker-lines",
@@ -384,12 +385,18 @@ TEST(Content, EveryTask_CanBeDone) {
   }
 }
 
-TEST(Content, WhatATaskAsks_IsAnsweredWhenItIsDone) {
+TEST(Content, EveryTask_SaysWhatWasToBeSeenWhenItIsDone) {
   for (const Lesson &lesson : library().lessons)
     for (const LessonStep &step : lesson.steps)
       for (const Task &task : tasksOf(step))
-        EXPECT_EQ(task.instruction.written().find('?') != std::string::npos, !task.answer.isEmpty())
-            << lesson.id << ": " << task.instruction.written();
+        EXPECT_FALSE(task.answer.isEmpty()) << lesson.id << ": " << task.instruction.written();
+}
+
+TEST(Content, EveryTask_HasHints) {
+  for (const Lesson &lesson : library().lessons)
+    for (const LessonStep &step : lesson.steps)
+      for (const Task &task : tasksOf(step))
+        EXPECT_FALSE(task.hints.empty()) << lesson.id << ": " << task.instruction.written();
 }
 
 /// It is not done at the start, or no longer when the task before it is done.

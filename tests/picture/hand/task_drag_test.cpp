@@ -155,6 +155,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"point-line", "distance = 3", {"Q"}},
       {"pluecker-lines", "six.through_origin = true", {"g.A"}},
       {"pluecker-lines", "six.origin_distance = 3", {"g.A"}},
+      {"pluecker-lines", "pair.tetrahedron = 2", {"h.A"}},
       {"pluecker-lines", "pair.product < 0", {"h.A", "h.v"}},
       {"pluecker-lines", "pair.case = intersecting and pair.product = 0", {"h.A"}},
       {"pluecker-lines", "pair.distance = 1", {"h.A"}},

@@ -68,7 +68,8 @@ Recomputed recompute(Objects objects) {
                     {"\\vec m_g", quantity(m1)},
                     {"\\vec m_h", quantity(m2)},
                     {"\\vec c", quantity(pair.common)},
-                    {"p", quantity(pair.p)}};
+                    {"p", quantity(pair.p)},
+                    {"T", quantity(Rational(abs(pair.p) / 6))}};
   for (const auto &[mark, vector] : {std::pair("g.v", pair.g.direction), std::pair("h.v", pair.h.direction),
                                      std::pair("it.m1", m1), std::pair("it.m2", m2)})
     if (vanishes(vector))
@@ -78,7 +79,10 @@ Recomputed recompute(Objects objects) {
   const Rational square = pair.distanceSquare();
   if (square == 0)
     expected.vanished.insert("it.dist");
+  if (pair.p == 0)
+    expected.vanished.insert("it.tetrahedron");
   expected.values = {{"product", number(pair.p)},
+                     {"tetrahedron", number(abs(pair.p) / 6)},
                      {"perpendicular", product(pair.g.direction, pair.h.direction) == 0 ? "true" : "false"},
                      {"distance", SignedSquares{square}}};
   expected.names["\\operatorname{dist}"] =
@@ -101,6 +105,11 @@ void addPermuted(std::vector<WrongAnswer> &all, const Pair &pair) {
   line.add("not crossed over", Rational(times(g.direction, h.direction) + times(m1, m2)));
   line.add("each with its own moment", Rational(times(g.direction, m1) + times(h.direction, m2)));
   line.add("the sign lost", Rational(-pair.p));
+}
+
+void addTetrahedron(std::vector<WrongAnswer> &all, const Pair &pair) {
+  Line line("tetrahedron", Rational(abs(pair.p) / 6), all);
+  addFraction(line, abs(pair.p), 6);
 }
 
 void addDistance(std::vector<WrongAnswer> &all, const Pair &pair) {
@@ -129,6 +138,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
     return all;
   addProduct(all, "perpendicular", pair.g.direction, pair.h.direction);
   addPermuted(all, pair);
+  addTetrahedron(all, pair);
   if (!pair.isCrossing())
     return all;
   addDistance(all, pair);
