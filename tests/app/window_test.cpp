@@ -419,7 +419,7 @@ private slots:
   void task_trueOnArrival_isDoneOnlyAfterItWasBroughtAbout() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
-    fixture.model().setStep(3); // t is negative at the start
+    fixture.model().setStep(4); // t is negative at the start
     const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
     const auto turn = [&](const ExactVec3 &direction) {
       Object ray = *findObject(fixture.model().session().scene, "L");

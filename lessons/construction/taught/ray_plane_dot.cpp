@@ -1,6 +1,7 @@
 // Where a ray meets a plane, by substitution and by dot products (notes PG 4 and 5; facing normal: note RP
 // 28).
 #include "geometry/case_names.h"
+#include "geometry/project_vector.h"
 #include "lessons/construction/parts/ray_at_plane.h"
 #include "lessons/construction/taught.h"
 
@@ -19,11 +20,17 @@ struct Out : Computed<In>, PlaneTerms, RayTerms {
   Plane<Rational> plane = planeThrough(in.E.object.point, in.E.object.normal);
   RayPlane<Rational> meet = meetingOf(in.L.object, in.E.object);
   bool crosses = meet.crosses();
+  bool hasPlane = meet.which != RayPlaneCase::ZeroNormal;
 
   Term d = ownName(letter("d"), plane.offset).standingFor(-dot(n, P0));
   Term f = applied(own(letter("f")), Q, evaluate(plane, in.L.object.origin)).standingFor(dot(n, Q - P0));
   Term numerator = dot(P0 - Q, n); ///< of t
   Term denominator = dot(r, n);
+  ProjectedVector<Rational> left =
+      projectVector(ExactVec3(in.E.object.point - in.L.object.origin), in.E.object.normal);
+  ProjectedVector<Rational> step = projectVector(in.L.object.direction, in.E.object.normal);
+  Term a = drawnName(vectorLetter("a"), left.projection); ///< from Q straight to the plane
+  Term b = drawnName(vectorLetter("b"), step.projection); ///< the part of r along n
   Term t = ownName(letter("t"), meet.t);
   Term H = madeName("H", meet.point);
   /// The unit normal towards where the ray comes from, where it crosses the plane.
@@ -114,6 +121,17 @@ std::string denominatorWords(const Out &at) {
                            at.letters));
 }
 
+std::string leftWords(const Out &at) {
+  return isZero(at.left.projection) ? words("The zero vector: {Q} lies in the plane.", at.letters)
+                                    : words("From {Q} straight to the plane, along {n}.", at.letters);
+}
+
+std::string stepWords(const Out &at) {
+  return wordsOfBoth(at, isZero(at.step.projection)
+                             ? words("The zero vector: {r} does not lead nearer to the plane.", at.letters)
+                             : words("The part of {r} along {n}: what one step brings.", at.letters));
+}
+
 WorkingLine parameterLine(const Out &at) {
   return asked(withNumbers(at.t == at.numerator / at.denominator),
                words("It takes this many steps {r} to get from {Q} to the plane. This is a distance only "
@@ -144,6 +162,30 @@ WorkingLine facingLine(const Out &at) {
                          at.letters));
 }
 
+/// What is left to the plane, at the start of the ray, with its right angle there.
+void drawLeft(Figure &figure, const Out &at) {
+  if (isZero(at.left.projection))
+    return;
+  figure.add(arrowOf(at.a, place(at.Q), Role::Derived, Subject::Measure));
+  const ExactVec3 foot = at.in.L.object.origin + at.left.projection;
+  const ExactVec3 inPlane =
+      isZero(at.step.rejection) ? ExactVec3(at.in.E.object.point - foot) : at.step.rejection;
+  if (!isZero(inPlane))
+    figure.add(RightAngleMark{
+        {at.a->mark + "/angle", Role::Helper, Subject::Measure}, place(foot), -place(at.a), place(inPlane)});
+}
+
+/// What one step brings, with the way across from the tip of the step.
+void drawStep(Figure &figure, const Out &at) {
+  if (isZero(at.step.projection))
+    return;
+  const Place start = place(at.Q);
+  figure.add(arrowOf(at.b, start, Role::Derived, Subject::Ray));
+  if (!isZero(at.step.rejection))
+    figure.add(SegmentMark{
+        {at.b->mark + "/across", Role::Helper, Subject::Ray}, start + place(at.b), start + place(at.r)});
+}
+
 /// The unit normal is drawn this long in every picture.
 constexpr double drawnNormalLength = 1;
 
@@ -153,6 +195,10 @@ Figure draw(const Out &at) {
   if (at.crosses)
     figure.add(arrowInPicture(drawn(at.facing, Role::Derived, Subject::Measure), place(at.H),
                               place(at.facing), drawnNormalLength));
+  if (at.hasPlane) {
+    drawLeft(figure, at);
+    drawStep(figure, at);
+  }
   return figure;
 }
 
@@ -175,7 +221,7 @@ Construction ray_plane_dot() {
       {.id = "ray-plane-dot",
        .roles = {"E", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
-       .letters = {"d", "f", "t", "nf"},
+       .letters = {"d", "f", "a", "b", "t", "nf"},
        .cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
        .values = {{named::number("numerator"), always, &Out::numerator},
                   {named::number("denominator"), always, &Out::denominator},
@@ -187,11 +233,19 @@ Construction ray_plane_dot() {
                  {"numerator", always, numeratorLine},
                  {"denominator", always, [](const Out &at) { return withNumbers(at.denominator); },
                   denominatorWords},
+                 {"left", &Out::hasPlane,
+                  [](const Out &at) { return withNumbers(at.a == at.numerator / dot(at.n, at.n) * at.n); },
+                  leftWords},
+                 {"step", &Out::hasPlane,
+                  [](const Out &at) { return withNumbers(at.b == at.denominator / dot(at.n, at.n) * at.n); },
+                  stepWords},
                  {"t", &Out::crosses, parameterLine},
+                 {"ratio", &Out::crosses, [](const Out &at) { return withNumbers(at.a == at.t * at.b); },
+                  says("What is left is t times what one step brings.")},
                  {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.H == at.Q + at.t * at.r); },
                   hitWords},
                  {"facing", &Out::crosses, facingLine}},
-       .marks = {"H", "facing"},
+       .marks = {"H", "a", "b", "facing"},
        .tell = tell,
        .draw = draw,
        .nearby = nearby});

@@ -109,6 +109,7 @@ const std::vector<Solution> &solutions() {
       {"ray-plane-substitution", "Turn the ray out", {"L", RayObject{{11, 9, 8}, {1, 2, 2}}}},
       {"ray-plane-dot", "Make $t$ positive", {"L", RayObject{{11, 15, 8}, {1, -3, -2}}}},
       {"ray-plane-dot", "Make $t$ exactly", {"L", RayObject{{11, 15, 8}, {-10, -10, 0}}}},
+      {"ray-plane-dot", "Turn $\\vec r$ until exactly two", {"L", RayObject{{11, 15, 8}, {-5, -5, 0}}}},
       {"ray-plane-dot", "Make $t$ change", {"L", RayObject{{11, 15, 8}, {-1, 3, 2}}}},
       {"ray-plane-dot", "Make the ray parallel", {"L", RayObject{{11, 15, 8}, {-2, -1, 2}}}},
       {"ray-plane-dot", "Now put the whole", {"L", RayObject{{5, 4, 7}, {-2, -1, 2}}}},

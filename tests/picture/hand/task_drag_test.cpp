@@ -80,6 +80,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-plane-substitution", "plane1.t = 0", {"L.r"}},
       {"ray-plane-dot", "case = hit and t > 0", {"L.r"}},
       {"ray-plane-dot", "t = 1", {"L.r", "L.Q"}},
+      {"ray-plane-dot", "t = 2", {"L.r"}},
       {"ray-plane-dot", "t < 0", {"L.r", "L.Q"}},
       {"ray-plane-dot", "case = parallel", {"L.r"}},
       {"ray-plane-dot", "case = in-plane", {"L.Q"}},

@@ -24,6 +24,15 @@ Recomputed recompute(Objects objects) {
   if (vanishes(L.direction))
     expected.vanished.insert("L.r");
   expected.degenerate = vanishes(n) || vanishes(L.direction);
+  if (!vanishes(n)) {
+    const Rational square = product(n, n);
+    expected.names["\\vec a"] = quantity(ExactVec3(n * Rational(-atStart / square)));
+    expected.names["\\vec b"] = quantity(ExactVec3(n * Rational(slope / square)));
+  }
+  if (vanishes(n) || atStart == 0)
+    expected.vanished.insert("it.a");
+  if (vanishes(n) || slope == 0)
+    expected.vanished.insert("it.b");
   if (slope == 0) {
     expected.caseName = vanishes(n)             ? "zero-normal"
                         : vanishes(L.direction) ? "zero-direction"
