@@ -33,6 +33,7 @@ struct Out : Computed<In>, TriangleTerms {
   // Of the small triangles opposite to the corners: normals, and signed areas.
   Term n0 = drawnName(vectorLetter("n", "0"), weighed.normals[0]);
   Term n1 = drawnName(vectorLetter("n", "1"), weighed.normals[1]);
+  Term n2 = drawnName(vectorLetter("n", "2"), weighed.normals[2]);
   std::array<Term, 3> parts{drawnName(letter("A", "0"), weighed.areas[0]),
                             drawnName(letter("A", "1"), weighed.areas[1]),
                             drawnName(letter("A", "2"), weighed.areas[2])};
@@ -175,6 +176,9 @@ LineTable<Out> lines() {
       {"area0", &Out::hasWeights, [](const Out &at) { return smallAreaLine(at, 0, at.n0); }},
       {"n1", &Out::hasWeights, [](const Out &at) { return smallNormalLine(at, at.n1, at.P2, at.P0); }},
       {"area1", &Out::hasWeights, [](const Out &at) { return smallAreaLine(at, 1, at.n1); }},
+      {"n2", &Out::hasWeights, [](const Out &at) { return smallNormalLine(at, at.n2, at.P0, at.P1); }},
+      {"sum", &Out::hasWeights, [](const Out &at) { return withNumbers(at.n0 + at.n1 + at.n2); },
+       says("The three together are n, wherever {Q} is.")},
       {"area2", &Out::hasWeights,
        [](const Out &at) { return withNumbers(at.parts[2] == at.A - at.parts[0] - at.parts[1]); },
        says("The three small areas together are the whole: so the third is what is left.")},
@@ -237,6 +241,7 @@ Figure draw(const Out &at) {
   }
   drawSmallNormal(figure, at.n0, place(at.P1) + place(at.P2), smallSubjects[0]);
   drawSmallNormal(figure, at.n1, place(at.P2) + place(at.P0), smallSubjects[1]);
+  drawSmallNormal(figure, at.n2, place(at.P0) + place(at.P1), smallSubjects[2]);
   figure.add(pointOf(at.B, Role::Derived, smallSubjects[0]));
   return figure;
 }
@@ -285,7 +290,7 @@ Construction barycentric() {
   return taught<Out, TriangleObject, PointObject>(
       {.id = "barycentric",
        .roles = {"T", "Q"},
-       .letters = {"n", "A", "n0", "n1", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
+       .letters = {"n", "A", "n0", "n1", "n2", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
        .cases = {"interior", "edge", "vertex", "outside", "off-plane", "coincident", "collinear"},
        .values = {{named::number("area"), always, &Out::A},
                   featureRow<Out>(&Out::hasWeights, [](const Out &at) { return at.weighed.location; }),
@@ -300,7 +305,7 @@ Construction barycentric() {
                   {named::word("heaviest", {"P0", "P1", "P2", "several"}), &Out::hasWeights,
                    [](const Out &at) { return Value(heaviest(at)); }}},
        .lines = lines(),
-       .marks = {"n", "n0", "n1", "A0", "A1", "A2", "parallel0", "parallel1", "parallel2", "B"},
+       .marks = {"n", "n0", "n1", "n2", "A0", "A1", "A2", "parallel0", "parallel1", "parallel2", "B"},
        .tell = tell,
        .draw = draw,
        .nearby = nearby});

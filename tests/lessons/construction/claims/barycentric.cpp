@@ -33,8 +33,8 @@ struct PointAtTriangle : TriangleCorners {
 
 bool isInPlane(const PointAtTriangle &at) { return at.isInPlane(); }
 
-/// The corner opposite to the small triangle that a line is about: n0, area0, n1, area1.
-std::size_t cornerOf(const Said &said) { return said.line.back() == '0' ? 0 : 1; }
+/// The corner opposite to the small triangle that a line is about: n0, area0, n1, area1, n2.
+std::size_t cornerOf(const Said &said) { return static_cast<std::size_t>(said.line.back() - '0'); }
 
 Rational weightOf(const PointAtTriangle &at, const Said &said) { return at.weights().at(cornerOf(said)); }
 
@@ -58,6 +58,7 @@ Claims barycentric() {
        [](const PointAtTriangle &, const Said &said) {
          return isEdgeOppositeTo(cornerOf(said), said.at("edge"));
        }},
+      {"The three together are n, wherever {Q} is.", isInPlane},
       {"{normal} points against n: {Q} is beyond this edge, and the area counts as negative.",
        [](const PointAtTriangle &at, const Said &said) { return at.isInPlane() && weightOf(at, said) < 0; }},
       {"No area is left: {Q} is on the line of this edge.",

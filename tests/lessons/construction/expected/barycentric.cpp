@@ -102,6 +102,7 @@ Recomputed recompute(Objects objects) {
   expected.values["heaviest"] = heaviestOf(weights);
   expected.names.insert({{"\\vec n_0", quantity(ExactVec3(n * rho))},
                          {"\\vec n_1", quantity(ExactVec3(n * sigma))},
+                         {"\\vec n_2", quantity(ExactVec3(n * tau))},
                          {"\\rho", quantity(rho)},
                          {"\\sigma", quantity(sigma)},
                          {"\\tau", quantity(tau)},
