@@ -43,7 +43,7 @@ const std::vector<RightAnswer> &questions() {
       {"triangle-degenerate", 1, "no"},
       {"triangle-degenerate", 2, "no"},
       {"barycentric", 1, "P2"},
-      {"ray-triangle-cramer", 1, "interior"},
+      {"ray-triangle-cramer", 1, "behind"},
       {"ray-sphere", 1, "two"},
       {"ray-box-slabs", 1, "hit"},
       {"pluecker-lines", 5, "skew"},
