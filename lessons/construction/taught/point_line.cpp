@@ -45,7 +45,7 @@ WorkingLine parameterLine(const Out &at) {
   const Term vv = dot(at.v, at.v);
   return asked(
       withNumbers(at.t == wv / vv),
-      words("It takes this many steps {v} to get from {A} to the foot: that is how far w reaches along {v}.",
+      words("It takes this many steps {v} to get from {A} to the foot: there the part of w along {v} ends.",
             at.letters),
       {{wv, words("{answer} is w·{v}: divide by {v}·{v}.", at.letters)},
        {wv / norm(at.v), words("{answer} is divided by |{v}|: divide by {v}·{v}.", at.letters)}});

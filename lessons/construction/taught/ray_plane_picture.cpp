@@ -107,7 +107,7 @@ std::string originWords(const Out &at) {
 
 std::string stepWords(const Out &at) {
   const int sign = at.meet.denominator.sign();
-  return sign > 0      ? words("Positive: each step {r} goes as {n} points.", at.letters)
+  return sign > 0      ? words("Positive: each step {r} goes to the side that {n} points to.", at.letters)
          : sign < 0    ? words("Negative: each step {r} goes against {n}.", at.letters)
          : at.hasPlane ? words("Zero: no step gains anything along {n}.", at.letters)
                        : zeroWithoutPlane(at);
@@ -188,7 +188,7 @@ LineTable<Out> lines() {
        says("The foot of F on the line through {Q} along {n}.")},
       {"A", &Out::hasPlane,
        [](const Out &at) { return withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))); },
-       says("The foot of {Q} on the line through the origin.")},
+       says("The foot of {Q} on the line through the origin along {n}.")},
       {"v0", always, startLine},
       {"C", &Out::hasPlane, [](const Out &at) { return withNumbers(at.C == at.Q + alongNormal(at, at.v0)); },
        says("The foot of {Q} in the plane.")},

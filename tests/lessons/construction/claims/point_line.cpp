@@ -33,7 +33,7 @@ Claims point_line() {
        [](const PointAtLine &at) { return !at.isLine(); }},
       {"distance", always}, // in {distance}
       {"From {A} to {Q}.", always},
-      {"It takes this many steps {v} to get from {A} to the foot: that is how far w reaches along {v}.",
+      {"It takes this many steps {v} to get from {A} to the foot: there the part of w along {v} ends.",
        isLine},
       {"The foot: the line's point nearest to {Q}.", isLine},
       {"From the foot to {Q}. It is perpendicular to the line: its dot product with {v} is 0.", isLine},
