@@ -100,10 +100,11 @@ WrongTerm wrongSignOfShare(const Term &share) {
 
 WorkingLine lineOfS(const Out &at) {
   const auto &[u, v, w] = std::tie(at.u, at.v, at.w);
-  return asked(withNumbers((at.s == dot(w, at.vPerp) / dot(u, at.vPerp)) ==
-                           (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.D),
-               words("In the dot product with v⊥ the part t·v drops out, and only s is left."),
-               {{at.t, words("{answer} is t: for s, w is dotted with v⊥.")}, wrongSignOfShare(at.s)});
+  return asked(
+      withNumbers((at.s == dot(w, at.vPerp) / dot(u, at.vPerp)) ==
+                  (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.D),
+      words("In the dot product with v⊥ the part t·v drops out, and only s is left."),
+      {{at.t, words("{answer} is t: for s, take the dot product with v⊥.")}, wrongSignOfShare(at.s)});
 }
 
 WorkingLine lineOfT(const Out &at) {
@@ -114,7 +115,7 @@ WorkingLine lineOfT(const Out &at) {
       words(
           "In the dot product with u⊥ the part s·u drops out, and only t is left. v·u⊥ is −D, so the signs "
           "in the numerator have changed too. This t belongs to the triangle; the ray's own parameter is λ."),
-      {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}, wrongSignOfShare(at.t)});
+      {{at.s, words("{answer} is s: for t, take the dot product with u⊥.")}, wrongSignOfShare(at.t)});
 }
 
 WorkingLine placeLine(const Out &at) {

@@ -173,11 +173,11 @@ Steps perpSteps(const Out &at) {
        {{-G, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}}},
       {(at.s == shareS(at)) == (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / G,
        words("v⊥ cannot see v: only s is left."),
-       {{at.t, words("{answer} is t: for s, w is dotted with v⊥.")}},
+       {{at.t, words("{answer} is t: for s, take the dot product with v⊥.")}},
        Needs::Point},
       {(at.t == shareT(at)) == (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / G,
        words("u⊥ cannot see u: only t is left."),
-       {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}},
+       {{at.s, words("{answer} is s: for t, take the dot product with u⊥.")}},
        Needs::Point}};
 }
 
