@@ -21,7 +21,7 @@ struct Out : RayByPerps {
   ExactVec3 tipOfTv = triangle.p0 + perps.v * meet.tTriangle;
 
   Term vPerp = ownName(perpLetter("v"), perps.vPerp).marked(mark("vperp"));
-  Term D = ownName(letter("D"), perps.denominator);
+  Term G = ownName(letter("G"), perps.denominator);
   Term w = drawnName(vectorLetter("w"), meet.w);
   Term a = ownName(letter("a"), dot(meet.w, perps.uPerp)).marked(mark("A"));
   Term b = ownName(letter("b"), dot(perps.v, perps.uPerp)).marked(mark("B"));
@@ -86,23 +86,23 @@ WorkingLine parameterLine(const Out &at) {
 WorkingLine denominatorLine(const Out &at) {
   const auto &u = at.u;
   const auto &v = at.v;
-  return asked(withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
+  return asked(withNumbers(at.G == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
                !at.isTriangle
                    ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
                    : words("The denominator of s and t. It is zero only when the corners lie on one line."),
-               {{-at.D, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
+               {{-at.G, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
 }
 
-/// The mistake of a share: the sign of D.
+/// The mistake of a share: the sign of G.
 WrongTerm wrongSignOfShare(const Term &share) {
-  return {-share, words("{answer} has the wrong sign: the denominator D = (u·v)² − (u·u)(v·v) is negative.")};
+  return {-share, words("{answer} has the wrong sign: the denominator G = (u·v)² − (u·u)(v·v) is negative.")};
 }
 
 WorkingLine lineOfS(const Out &at) {
   const auto &[u, v, w] = std::tie(at.u, at.v, at.w);
   return asked(
       withNumbers((at.s == dot(w, at.vPerp) / dot(u, at.vPerp)) ==
-                  (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.D),
+                  (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.G),
       words("In the dot product with v⊥ the part t·v drops out, and only s is left."),
       {{at.t, words("{answer} is t: for s, take the dot product with v⊥.")}, wrongSignOfShare(at.s)});
 }
@@ -111,9 +111,9 @@ WorkingLine lineOfT(const Out &at) {
   const auto &[u, v, w] = std::tie(at.u, at.v, at.w);
   return asked(
       withNumbers((at.t == dot(w, at.uPerp) / dot(v, at.uPerp)) ==
-                  (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / at.D),
+                  (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / at.G),
       words(
-          "In the dot product with u⊥ the part s·u drops out, and only t is left. v·u⊥ is −D, so the signs "
+          "In the dot product with u⊥ the part s·u drops out, and only t is left. v·u⊥ is −G, so the signs "
           "in the numerator have changed too. This t belongs to the triangle; the ray's own parameter is λ."),
       {{at.s, words("{answer} is s: for t, take the dot product with u⊥.")}, wrongSignOfShare(at.t)});
 }
@@ -275,7 +275,7 @@ ValueRow<Out> perpRow() {
                           {named::number("vv"), always, [](const Out &at) { return dot(at.v, at.v); }},
                           {named::number("wu"), &Out::crosses, [](const Out &at) { return dot(at.w, at.u); }},
                           {named::number("wv"), &Out::crosses, [](const Out &at) { return dot(at.w, at.v); }},
-                          {named::number("denominator"), always, &Out::D}});
+                          {named::number("denominator"), always, &Out::G}});
 }
 
 } // namespace
@@ -285,7 +285,7 @@ Construction ray_triangle_perp() {
       {.id = "ray-triangle-perp",
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
-       .letters = {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
+       .letters = {"u", "v", "n", "G", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
        .cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
                  "collinear"},
        .values = joined<ValueRow<Out>>({crossingRows<Out>([](const Out &at) { return at.meet.location; }),

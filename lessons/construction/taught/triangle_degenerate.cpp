@@ -37,7 +37,7 @@ struct Out : Computed<In>, TriangleTerms {
   Term u = drawnName(vectorLetter("u"), perps.u);
   Term v = drawnName(vectorLetter("v"), perps.v);
   Term n = drawnName(vectorLetter("n"), perps.normal);
-  Term D = ownName(letter("D"), perps.denominator);
+  Term G = ownName(letter("G"), perps.denominator);
   Term theta = ownName(letter("θ"), std::nullopt).marked(mark("theta"));
   Term cosine = applied(word("cos"), theta, cosineOf(perps));
 };
@@ -103,17 +103,17 @@ std::string cosineWords(const Out &at) {
 
 WorkingLine squaresLine(const Out &at) {
   const auto &[u, v] = std::tie(at.u, at.v);
-  return asked(withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
-               at.isTriangle ? words("Not 0: a triangle. D is the number that s and t are divided by.")
-                             : words("0: no triangle. D is the number that s and t would be divided by."),
-               {{-at.D, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
+  return asked(withNumbers(at.G == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
+               at.isTriangle ? words("Not 0: a triangle. G is the number that s and t are divided by.")
+                             : words("0: no triangle. G is the number that s and t would be divided by."),
+               {{-at.G, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
 }
 
 WorkingLine lagrangeLine(const Out &at) {
   const auto &[u, v] = std::tie(at.u, at.v);
   return asked(withNumbers((dot(at.n, at.n) == dot(u, u) * dot(v, v) - power(dot(u, v), 2))),
-               words("Lagrange's identity. It is −D: so D is 0 exactly where u × v is the zero vector."),
-               {{at.D, words("{answer} is D itself: here the two parts have changed places.")}});
+               words("Lagrange's identity. It is −G: so G is 0 exactly where u × v is the zero vector."),
+               {{at.G, words("{answer} is G itself: here the two parts have changed places.")}});
 }
 
 /// A test's line: its comparison, and what it sees, as `found` says that.
@@ -238,13 +238,13 @@ Construction triangle_degenerate() {
   return taught<Out, TriangleObject>(
       {.id = "triangle-degenerate",
        .roles = {"T"},
-       .letters = {"u", "v", "n", "D", "θ"},
+       .letters = {"u", "v", "n", "G", "θ"},
        .cases = {"proper", "coincident", "collinear"},
        .values = {{named::number("uu"), always, [](const Out &at) { return dot(at.u, at.u); }},
                   {named::number("uv"), always, [](const Out &at) { return dot(at.u, at.v); }},
                   {named::number("vv"), always, [](const Out &at) { return dot(at.v, at.v); }},
                   {named::vector("normal"), always, &Out::n},
-                  {named::number("denominator"), always, &Out::D},
+                  {named::number("denominator"), always, &Out::G},
                   {named::word("same_corners", {"none", "P0-P1", "P0-P2", "P1-P2", "all"}), always,
                    [](const Out &at) {
                      return ToldValue(words("corners that are one point"), sameWord(at));

@@ -131,7 +131,7 @@ TEST(Judge, OfTheTrianglesShares_TellsSwapSignAndNumerator) {
   EXPECT_TRUE(judged(s, sText).right);
   EXPECT_NE(judged(s, tText).sentence.find("is t"), std::string::npos);
   EXPECT_NE(judged(t, sText).sentence.find("is s"), std::string::npos);
-  EXPECT_NE(judged(s, "-" + sText).sentence.find("D = "), std::string::npos);
+  EXPECT_NE(judged(s, "-" + sText).sentence.find("G = "), std::string::npos);
   const Surd denominator = exactOf(lineOf("ray-triangle-perp", "denominator"));
   const Surd numerator = exactOf(s) * denominator.rationalPart();
   EXPECT_NE(judged(s, *toText(numerator)).sentence.find("only the numerator"), std::string::npos);

@@ -41,7 +41,7 @@ Claims ray_triangle_perp() {
       {"From {P0} to {I}.", crosses},
       {"The last two of the five dot products.", always},
       {"In the dot product with v⊥ the part t·v drops out, and only s is left.", crosses},
-      {"In the dot product with u⊥ the part s·u drops out, and only t is left. v·u⊥ is −D, so the signs in "
+      {"In the dot product with u⊥ the part s·u drops out, and only t is left. v·u⊥ is −G, so the signs in "
        "the numerator have changed too. This t belongs to the triangle; the ray's own parameter is λ.",
        crosses},
       {"The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is outside "

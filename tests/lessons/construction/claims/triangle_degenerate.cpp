@@ -49,9 +49,9 @@ Claims triangle_degenerate() {
          return hasAngle(at) && isAngleBetween(at.u, at.v, said.at("degrees")) &&
                 isWrittenExactly(at) == (said.at("degrees").find('=') != std::string::npos);
        }},
-      {"Not 0: a triangle. D is the number that s and t are divided by.", isProper},
-      {"0: no triangle. D is the number that s and t would be divided by.", isNone},
-      {"Lagrange's identity. It is −D: so D is 0 exactly where u × v is the zero vector.", always},
+      {"Not 0: a triangle. G is the number that s and t are divided by.", isProper},
+      {"0: no triangle. G is the number that s and t would be divided by.", isNone},
+      {"Lagrange's identity. It is −G: so G is 0 exactly where u × v is the zero vector.", always},
       {"It finds nothing wrong, and nothing is.",
        [](const TriangleCorners &at, const Said &said) { return at.isTriangle() && !isSeen(at, said); }},
       {"It sees that something is wrong: {P0}, {P1} and {P2} lie on one line.",

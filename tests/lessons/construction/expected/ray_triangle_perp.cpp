@@ -49,7 +49,7 @@ bool recomputeTriangle(const TriangleObject &T, Recomputed &expected) {
                     {"\\vec n", quantity(n)},
                     {"\\vec u^{\\perp}", quantity(uPerp)},
                     {"\\vec v^{\\perp}", quantity(vPerp)},
-                    {"D", quantity(Rational(-product(n, n)))}};
+                    {"G", quantity(Rational(-product(n, n)))}};
   if (!vanishes(n))
     return true;
   expected.degenerate = true;

@@ -44,7 +44,7 @@ Recomputed recompute(Objects objects) {
                     {"\\vec u", quantity(u)},
                     {"\\vec v", quantity(v)},
                     {"\\vec n", quantity(n)},
-                    {"D", quantity(Rational(-product(n, n)))}};
+                    {"G", quantity(Rational(-product(n, n)))}};
   if (vanishes(u))
     expected.vanished.insert("it.u");
   if (vanishes(v))
