@@ -128,6 +128,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-sphere", "distance = 0", {"L.Q", "L.r"}},
       {"ray-sphere", "distance = 4", {"L.Q"}},
       {"ray-sphere", "origin = inside", {"L.Q"}},
+      {"ray-sphere", "origin = on", {"L.Q"}},
       {"ray-sphere", "case = behind", {"L.Q"}},
       {"ray-box-slabs", "x.in = 2", {"L.Q"}},
       {"ray-box-slabs", "z.first = low", {"L.r"}},

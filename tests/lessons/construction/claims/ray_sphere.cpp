@@ -48,6 +48,7 @@ namespace claims {
 
 Claims ray_sphere() {
   return claimsAbout<RayAtSphere>({
+      {"This is k: the same for every line through {Q} that meets the sphere twice.", isCut},
       {"The radius is 0: the sphere is only the point {c}.",
        [](const RayAtSphere &at) { return !at.isSphere(); }},
       {"The direction {r} is the zero vector: the ray goes nowhere.",
