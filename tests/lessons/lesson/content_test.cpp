@@ -160,7 +160,7 @@ const std::vector<Solution> &solutions() {
       {"ray-sphere", "Move $Q$ until its power", {"L", RayObject{{8, 10, 5}, {-1, -2, -2}}}},
       {"ray-sphere", "Put $Q$ outside", {"L", RayObject{{2, 1, 1}, {-1, -2, -2}}}},
       {"ray-box-slabs", "Move $Q$ until the line goes", {"L", RayObject{{-2, -3, 6}, {2, 2, -1}}}},
-      {"ray-box-slabs", "Turn $\\vec r$ until the other", {"L", RayObject{{0, -3, 6}, {2, 2, 1}}}},
+      {"ray-box-slabs", "Turn $\\vec r$ until the lower", {"L", RayObject{{0, -3, 6}, {2, 2, 1}}}},
       {"ray-box-slabs", "Move $Q$ until the line misses", {"L", RayObject{{3, -3, 6}, {2, 2, -1}}}},
       {"ray-box-slabs", "Make the line only", {"L", RayObject{{2, -3, 6}, {2, 2, -1}}}},
       {"ray-box-slabs", "Drag $Q$ into", {"L", RayObject{{4, 4, 2}, {2, 2, -1}}}},

@@ -177,7 +177,7 @@ const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
       {"ray-polygon-pluecker", {"I"}},             // where the line meets the plane
       {"ray-triangle-cramer", {"λ"}},              // the number of steps along the ray
       {"ray-triangle-perp", {"I"}},                // where the line meets the plane
-      {"signed-distance", {"F"}}};                 // the foot
+      {"signed-distance", {"F", "a", "b", "c"}}};  // the foot; the coordinates of any normal
   return letters;
 }
 
