@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <span>
 
 namespace halfspace::test {
 
@@ -56,6 +57,7 @@ public:
       }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
+    makePointsSpecial(objects);
     makeMeshesSpecial(construction, objects);
     if (std::any_of(construction.roles.begin(), construction.roles.end(),
                     [](const ConstructionRole &role) { return role.isList; }))
@@ -315,6 +317,21 @@ private:
       at = plane.point;
     if (choice == 1)
       at = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  /// All in the plane, two of them, one alone, three on one line, or left as they are.
+  void makePointsSpecial(std::vector<Object> &objects) {
+    const auto plane = objectAs<PlaneObject>(objects[0]);
+    if (!plane || objects.size() < 4 || kindOf(objects[1]) != PointObject::kind)
+      return;
+    const auto points = std::span(objects).subspan(1);
+    const auto any = static_cast<std::size_t>(integer(0, static_cast<int>(points.size()) - 1));
+    const int choice = integer(0, 9);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (choice == 0 || (choice == 1 && i != any) || (choice == 2 && i == any))
+        points[i][0] = plane->point + vectorAlongPlane(plane->normal);
+    if (choice == 3)
+      points[2][0] = points[0][0] + (points[1][0] - points[0][0]) * number();
   }
 
   void makeSpecial(RayObject &ray, const PlaneObject &plane) {

@@ -51,10 +51,19 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 /// Those that ask otherwise: each has a test of its own below.
-const std::set<std::string> withOtherQuestions{
-    "barycentric",   "cross-product",    "determinant",         "dot-product-projection",
-    "half-spaces",   "plane-parametric", "point-line",          "ray-plane-substitution",
-    "ray-box-slabs", "reflection",       "triangle-degenerate", "nearest-hit"};
+const std::set<std::string> withOtherQuestions{"clipping",
+                                               "barycentric",
+                                               "cross-product",
+                                               "determinant",
+                                               "dot-product-projection",
+                                               "half-spaces",
+                                               "plane-parametric",
+                                               "point-line",
+                                               "ray-plane-substitution",
+                                               "ray-box-slabs",
+                                               "reflection",
+                                               "triangle-degenerate",
+                                               "nearest-hit"};
 /// Questions know no saucers and no frames.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
@@ -247,6 +256,28 @@ TEST(SameAsEval, HalfSpaces_ForEachPointAsItsOwnQuestion) {
       const char point = static_cast<char>('A' + static_cast<int>(i) - 1);
       EXPECT_EQ(explained.at("values").at(std::string("f_") + point), answered.at("result").at("f"));
       EXPECT_EQ(explained.at("values").at(std::string("side_") + point), answered.at("result").at("side"));
+      ++compared;
+    }
+    return compared;
+  });
+}
+
+/// An edge is a ray from a corner to the next, which meets the plane where it is cut.
+TEST(SameAsEval, Clipping_OfEachEdgeAsARay) {
+  compareScenes("clipping", [](const std::vector<Object> &objects, const Json &explained) {
+    int compared = 0;
+    for (std::size_t edge = 1; edge <= 3; ++edge) {
+      const Object &from = objects[edge];
+      const Object &to = objects[edge % 3 + 1];
+      const Object ray = RayObject{from[0], to[0] - from[0]};
+      const Json answered = answerTo({"ray-plane", {"plane", "ray"}}, {objects[0], ray});
+      const std::string number = std::to_string(edge);
+      const Json &values = explained.at("values");
+      if (!values.contains("t" + number))
+        continue;
+      EXPECT_EQ(answered.at("result").at("case"), "hit");
+      EXPECT_EQ(answered.at("result").at("t"), values.at("t" + number));
+      EXPECT_EQ(answered.at("result").at("point"), values.at("cut" + number));
       ++compared;
     }
     return compared;

@@ -164,6 +164,7 @@ std::set<std::string> lettersInWords(const Lesson &lesson, const LessonStep &ste
 /// Letters that the words of a step say the meaning of, where no line and no picture does before.
 const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
   static const std::map<std::string, std::set<std::string>> letters{
+      {"clipping", {"k"}},                         // the number of a polygon's corners
       {"cross-product", {"n"}},                    // u×v, as the same sentence says
       {"determinant", {"P₀", "a", "c", "s", "t"}}, // four points; a rule for any vectors; two numbers
       {"misprints", {"O", "R"}},                   // the origin; a printed letter
