@@ -6,6 +6,7 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/polygon.h"
 #include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/screen.h"
 #include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/ufo.h"
 #include "lessons/object/kinds/vector.h"
@@ -32,6 +33,12 @@ constexpr int smallestTriangle = 3;
 constexpr int largestTriangle = 4;
 /// No coordinate of a side is longer: their products of four are still to be calculated.
 constexpr int longestSide = 6;
+
+ExactVec3 alongAxis(int axis, int length) {
+  ExactVec3 along{};
+  along[axis] = length;
+  return along;
+}
 
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
@@ -66,7 +73,8 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
-    else if (kindOf(object) == PolygonObject::kind || findSolidKind(kindOf(object)))
+    else if (kindOf(object) == PolygonObject::kind || kindOf(object) == ScreenObject::kind ||
+             findSolidKind(kindOf(object)))
       m_nets.push_back(m_polygon);
     else if (const auto vector = objectAs<VectorObject>(object))
       m_drawnVectors.push_back(*vector);
@@ -77,7 +85,7 @@ private:
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
           drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
           drawAs<SphereObject>(object) || drawAs<UfoObject>(object) || drawAs<PolygonObject>(object) ||
-          drawSolid(object)))
+          drawAs<ScreenObject>(object) || drawSolid(object)))
       drawAny(object);
   }
 
@@ -203,17 +211,33 @@ private:
       polygon.corners[i] = m_polygon.after({corners[i].x, corners[i].y});
   }
 
+  /// Square to the axes. Its pixels are two units large, so that their centres are whole points, unless there
+  /// are too many. Others aim at places around its middle, before it and behind it.
+  void draw(ScreenObject &screen) {
+    const int axis = m_dice.between(0, 2);
+    const auto arrow = [&](int turn, int length) { return alongAxis((axis + turn) % 3, length); };
+    const Rational most = std::max(screen.w, screen.h);
+    const Rational pixel = 2 * most < largestShortNumber ? Rational(2)
+                           : most <= largestShortNumber  ? Rational(1)
+                                                         : longestSide / most;
+    const ExactVec3 across = arrow(1, m_dice.sign()) * pixel;
+    const ExactVec3 down = arrow(2, m_dice.sign()) * pixel;
+    const int depth = m_dice.between(1, longestStep);
+    screen.u = across * screen.w;
+    screen.v = down * screen.h;
+    const ExactVec3 middle = m_dice.position();
+    screen.corner =
+        middle - across * floorOf(Rational(screen.w / 2)) - down * floorOf(Rational(screen.h / 2));
+    m_polygon = {middle, {across, down}, arrow(0, depth), 0};
+  }
+
   /// Square to the axes as far as it can be: rays meet its other faces at short numbers too. A face of it is
   /// looked for.
   bool drawSolid(Object &solid) {
     if (!findSolidKind(kindOf(solid)))
       return false;
     const int axis = m_dice.between(0, 2);
-    const auto arrow = [&](int turn, int length) {
-      ExactVec3 along{};
-      along[(axis + turn) % 3] = length;
-      return along;
-    };
+    const auto arrow = [&](int turn, int length) { return alongAxis((axis + turn) % 3, length); };
     const int size = m_dice.between(smallestTriangle, largestTriangle);
     const ExactVec3 corner = m_dice.position();
     solid[0] = corner;
@@ -349,7 +373,7 @@ private:
   std::ptrdiff_t m_vectors;
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
-  Net m_polygon; ///< of the last that was drawn
+  Net m_polygon; ///< of the last polygon, face of a solid or screen that was drawn
   std::vector<VectorObject> m_drawnVectors;
   std::optional<SphereObject> m_sphere; ///< the last
 };
@@ -376,7 +400,8 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
     return isLine(object) || kind == PlaneObject::kind || kind == TriangleObject::kind ||
-           kind == SphereObject::kind || kind == PolygonObject::kind || findSolidKind(kind);
+           kind == SphereObject::kind || kind == PolygonObject::kind || kind == ScreenObject::kind ||
+           findSolidKind(kind);
   });
   std::stable_partition(objects.begin(), others, std::not_fn(isLine));
   for (Object *object : objects)

@@ -45,11 +45,14 @@ const std::vector<Dragged> positions{{"point", "K", {1, 2, 3}, {1, 1, 1}, {{"", 
                                      {"tetrahedron", "K.P3", {0, 0, 4}, {0, 0, -1}, {{"P3", {0, 0, 3}}}},
                                      {"prism", "K.P1", {3, 0, 0}, {1, 0, 0}, {{"P1", {4, 0, 0}}}},
                                      {"box", "K.P0", {1, 2, 3}, {-1, -2, -3}, {{"P0", {0, 0, 0}}}},
+                                     {"screen", "K.P0", {1, 2, 3}, {0, 1, 0}, {{"P0", {1, 3, 3}}}},
                                      {"sphere", "K.c", {1, 2, 3}, {5, 0, 0}, {{"c", {6, 2, 3}}}}};
 
 const std::vector<Dragged> directions{{"vector", "K.v", {1, 2, 5}, {1, 0, 0}, {{"v", {1, 0, 2}}}},
                                       {"ray", "K.r", {1, 2, 5}, {0, 0, -2}, {{"r", {0, 0, 0}}}},
                                       {"plane", "K.n", {1, 2, 5}, {0, 2, -2}, {{"n", {0, 2, 0}}}},
+                                      {"screen", "K.u", {5, 2, 3}, {4, 0, 0}, {{"u", {8, 0, 0}}}},
+                                      {"screen", "K.v", {1, 2, 0}, {0, 1, 3}, {{"v", {0, 1, 0}}}},
                                       {"prism", "K.h", {0, 0, 5}, {1, 1, 0}, {{"h", {1, 1, 5}}}}};
 
 /// Along an axis, whichever way the hand goes; a length is never below 0.
@@ -145,6 +148,19 @@ TEST_P(SettledNumbers, AreWithinTheirBoundsWhichAreTheRightWayRound) {
 INSTANTIATE_TEST_SUITE_P(Numbers, SettledNumbers,
                          testing::Values(NumberSettled{{1, 0, 3}, 1, 3}, NumberSettled{{9, 0, 3}, 3, 3},
                                          NumberSettled{{-9, 0, 3}, 0, 3}, NumberSettled{{1, 2, -5}, 2, 2}));
+
+TEST(Settle, TheNumbersOfAScreensPixels_AreWholeAndAtLeastOne) {
+  const auto settledWidth = [](const Rational &width) {
+    Object screen = spelledObject("screen");
+    screen[3].x = width;
+    return settled(screen)[3].x;
+  };
+  EXPECT_EQ(settledWidth(4), 4);
+  EXPECT_EQ(settledWidth(q(7, 2)), 3);
+  EXPECT_EQ(settledWidth(0), 1);
+  EXPECT_EQ(settledWidth(-5), 1);
+  EXPECT_EQ(settledWidth(1920), 64) << "more of them could not be told apart";
+}
 
 TEST(Settle, AStepBelowZero_IsNone) {
   Object number = spelledObject("number");

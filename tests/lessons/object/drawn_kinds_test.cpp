@@ -46,6 +46,14 @@ TEST(Drawn, ABoxOrPrism_IsItsFacesWithTheirCornersInSpace) {
   EXPECT_EQ(high, Place(5, 7, 9));
 }
 
+TEST(Drawn, AScreen_IsItsColumnsAndItsRows) {
+  EXPECT_EQ(countOf<PolygonMark>(figureOfEntry(spelledEntry("screen"))), 4 + 3);
+  const char *flat = "{name: K, screen: {P0: [1, 2, 3], u: [4, 0, 0], v: [-8, 0, 0], w: 4, h: 3}}";
+  const Figure figure = figureOfEntry(flat);
+  EXPECT_EQ(countOf<PolygonMark>(figure), 0);
+  EXPECT_EQ(countOf<ArrowMark>(figure), 2) << "what spans no screen can still be grabbed";
+}
+
 struct Solids : testing::TestWithParam<std::string> {};
 
 TEST_P(Solids, OfAnyKind_AreClosedByTheirFaces) {

@@ -65,6 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Offer{"prism", "edge P₀P₁", {1, 0, 0}}, Offer{"prism", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "corner P₀", {1, 2, 3}},
+                    Offer{"screen", "corner P₀", {1, 2, 3}}, Offer{"screen", "plane K", {50, 2, -7}},
                     Offer{"sphere", "centre c", {1, 2, 3}}));
 
 TEST(Offers, OfSolids_AreAllCornersAndEdges) {

@@ -32,6 +32,7 @@ inline std::string spelledEntry(const std::string &kind) {
       {"tetrahedron", "{P0: [0, 0, 0], P1: [4, 0, 0], P2: [0, 4, 0], P3: [0, 0, 4]}"},
       {"prism", "{P0: [0, 0, 0], h: [0, 0, 5], P1: [3, 0, 0], P2: [0, 3, 0]}"},
       {"box", "{P0: [1, 2, 3], a: 4, b: 5, c: 6}"},
+      {"screen", "{P0: [1, 2, 3], u: [4, 0, 0], v: [0, 0, -3], w: 4, h: 3}"},
       {"sphere", "{c: [1, 2, 3], R: 4}"},
       {"number", "{value: 1, from: 0, to: 3, step: 1/2}"}};
   return "{name: K, " + kind + ": " + coordinates.at(kind) + "}";
