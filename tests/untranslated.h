@@ -22,8 +22,8 @@ inline bool isWordByte(char c) {
 }
 
 /// What formulas have everywhere.
-inline const Names functions{"cos", "sin", "det", "dist", "max",
-                             "min", "out", "tin", "tout"}; // these with their indices
+inline const Names functions{"cos", "sin", "det", "dist", "floor",
+                             "max", "min", "out", "tin",  "tout"}; // these with their indices
 
 inline bool isNameIn(const Names &names, std::string_view word) {
   return std::any_of(names.begin(), names.end(), [word](std::string_view name) {

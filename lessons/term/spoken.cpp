@@ -127,6 +127,8 @@ public:
   }
 
   [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
+    if (entries.size() == 1) // floor(p)
+      return entries.front();
     std::string text = entries.size() == 3 ? words("the triple") : words("the list");
     for (std::size_t i = 0; i < entries.size(); ++i)
       text += (i == 0 ? " " : ", ") + entries[i];

@@ -190,6 +190,8 @@ private:
         return {isLargest ? *std::max_element(all.begin(), all.end())
                           : *std::min_element(all.begin(), all.end())};
       }
+    if (take("\\operatorname{floor}("))
+      return {mp::floor(list().at(0))};
     return take("(") ? list() : Numbers{number()};
   }
 
