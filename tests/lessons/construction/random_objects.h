@@ -12,6 +12,7 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/polygon.h"
 #include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/screen.h"
 #include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/object/kinds/ufo.h"
@@ -47,6 +48,8 @@ public:
           giveConvexBase(objects.back());
         if (role.kind == BoxObject::kind)
           giveLengths(objects.back());
+        if (role.kind == ScreenObject::kind)
+          givePixels(objects.back());
         if (role.kind == PolygonObject::kind)
           objects.back() = convexPolygon();
         if (role.kind == NumberObject::kind)
@@ -136,6 +139,8 @@ private:
           return kindOf(object) == VectorObject::kind;
         }))
       return makeSpecialVectors(objects[0], objects[1], objects[2]);
+    if (const auto screen = objects.size() == 3 ? objectAs<ScreenObject>(objects[1]) : std::nullopt)
+      return makeSpecialCamera(objects[0][0], *screen, objects);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -448,6 +453,51 @@ private:
   static void giveLengths(Object &box) {
     for (std::size_t i = 1; i < box.size(); ++i)
       box[i].x = abs(box[i].x);
+  }
+
+  void givePixels(Object &screen) {
+    for (std::size_t i = 3; i < screen.size(); ++i)
+      screen[i].x = integer(1, 6);
+  }
+
+  /// A screen that is none, an eye in its plane, a point that is level with the eye or at it; else mostly a
+  /// rectangle, and a point that is seen: in a corner of a pixel, in its middle, or elsewhere.
+  void makeSpecialCamera(const ExactVec3 &eye, ScreenObject screen, std::vector<Object> &objects) {
+    if (integer(0, 2) != 0)
+      screen.v = vectorAlongPlane(screen.u);
+    const auto half = [&](const Rational &most) {
+      return Rational(integer(-1, 2 * static_cast<int>(toDouble(most)) + 1), 2);
+    };
+    const ExactVec3 onScreen = integer(0, 3) == 0 ? screen.at(Rational(1, 3), Rational(2, 3))
+                                                  : screen.at(half(screen.w), half(screen.h));
+    const auto along = [&] { return ExactVec3(screen.u * number() + screen.v * number()); };
+    ExactVec3 point = eye + ExactVec3(onScreen - eye) * Rational(integer(1, 6), 2);
+    switch (integer(0, 19)) {
+    case 0:
+      screen.v = screen.u * Rational(integer(-1, 1));
+      break;
+    case 1:
+      screen.u = {0, 0, 0};
+      break;
+    case 2:
+      objects[0] = PointObject{onScreen};
+      break;
+    case 3:
+    case 4:
+      point = eye + along();
+      break;
+    case 5:
+      point = eye;
+      break;
+    case 6:
+    case 7:
+      point = eye - ExactVec3(onScreen - eye) * Rational(integer(1, 3));
+      break;
+    default:
+      break;
+    }
+    objects[1] = screen;
+    objects[2] = PointObject{point};
   }
 
   /// What a solid is not to be: flat, or bent.
