@@ -1,9 +1,9 @@
 // A pinhole camera: the pixel of the screen in which a point of the world is seen from the eye, and the ray
 // from the eye through the centre of that pixel.
 #include "geometry/intersect_ray_triangle.h"
-#include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
+#include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/screen.h"
 #include "lessons/term/prime.h"
 
@@ -203,7 +203,7 @@ void drawPixel(Figure &figure, const Out &at) {
   }
   figure.add(PolygonMark{{at.mark("pixel"), Role::Result, Subject::Ray}, std::move(pixel)});
   figure.add(PolygonMark{{at.mark("patch"), Role::Helper, Subject::Ray}, std::move(patch)});
-  figure.add(pointOf(at.A, Role::Derived, Subject::Measure));
+  figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
   figure.add(pointOf(at.C, Role::Derived, Subject::Ray));
   RayMark ray{{at.mark("L"), Role::Derived, Subject::Ray}, place(at.Q), unitOf(vectorOf(at.r))};
   ray.meets = place(at.H);

@@ -51,15 +51,21 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 /// Those that ask otherwise: each has a test of its own below.
-const std::set<std::string> withOtherQuestions{"camera-ray",          "clipping",
-                                               "barycentric",         "cross-product",
-                                               "determinant",         "dot-product-projection",
-                                               "half-spaces",         "plane-parametric",
-                                               "point-line",          "ray-plane-substitution",
-                                               "ray-box-slabs",       "reflection",
-                                               "triangle-degenerate", "nearest-hit"};
-/// Questions know no saucers and no frames.
-const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
+const std::set<std::string> withOtherQuestions{"clipping",
+                                               "barycentric",
+                                               "cross-product",
+                                               "determinant",
+                                               "dot-product-projection",
+                                               "half-spaces",
+                                               "plane-parametric",
+                                               "point-line",
+                                               "ray-plane-substitution",
+                                               "ray-box-slabs",
+                                               "reflection",
+                                               "triangle-degenerate",
+                                               "nearest-hit"};
+/// Questions know no saucers, no frames and no screens.
+const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight", "camera-ray"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 
