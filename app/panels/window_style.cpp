@@ -60,6 +60,8 @@ QString styleSheetOf(const Theme &theme) {
     halfspace--CaseLine { background: %3; }
     QLabel#nearby, QLabel#usualNearby, QLabel#message { padding: 0 0.4em 0.25em 1.1em; color: %2; }
     QPushButton#there, QPushButton#others, QPushButton#afresh { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
+    QToolButton#hint, QToolButton#formulaLesson { color: %7; border: none; padding: 0.1em 0; text-decoration: underline; }
+    QToolButton#hint:focus, QToolButton#formulaLesson:focus { background: %5; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QLabel#sceneNotice { background: %3; color: %4; border: 1px solid %1; border-radius: 5px; padding: 0.35em 0.6em; }
     QFrame#flatView { background: %3; border: 1px solid %1; border-radius: 5px; }

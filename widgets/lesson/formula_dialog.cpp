@@ -98,6 +98,7 @@ QWidget *FormulaDialog::pageOf(const ChapterFormulas &chapter) {
     title->setText(QString::fromStdString(lesson.title).replace('&', QLatin1String("&&")));
     title->setToolTip(tr("Open this lesson."));
     title->setAutoRaise(true);
+    title->setCursor(Qt::PointingHandCursor);
     title->setFocusPolicy(Qt::StrongFocus);
     QFont strong = title->font();
     strong.setBold(true);

@@ -14,6 +14,7 @@ HintColumn::HintColumn(const Typesetter &typesetter, QWidget *parent)
   m_column->addWidget(m_next, 0, Qt::AlignLeft);
   m_next->setObjectName("hint");
   m_next->setAutoRaise(true);
+  m_next->setCursor(Qt::PointingHandCursor);
   m_next->setFocusPolicy(Qt::StrongFocus);
   connect(m_next, &QToolButton::clicked, this, &HintColumn::tellNext);
   showButton();
