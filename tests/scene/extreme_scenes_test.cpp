@@ -85,6 +85,7 @@ private:
           if (coordinatesOf(object)[i].role == CoordinateRole::Position)
             coordinate(object, i) += farAway;
         }
+        object.kind().settle(object); // as on every way into a scene
         scene.entries.push_back({role.isList ? role.name + std::to_string(place) : role.name, object});
         use.roles[role.name].ids.push_back(scene.entries.back().name);
       }

@@ -85,7 +85,8 @@ Texts allLettersOf(const Scene &scene) {
   const auto append = [&](const Texts &texts) { all.insert(all.end(), texts.begin(), texts.end()); };
   for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content))
-      append(lettersIn(letters.given(entry.name, *object)));
+      append(lettersIn(isBound(entry) ? letters.freedoms(entry.name, *object)
+                                      : letters.given(entry.name, *object)));
     else
       for (const ConstructionRole &made :
            findConstruction(std::get<ConstructionUse>(entry.content).id)->makes)
