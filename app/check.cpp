@@ -34,7 +34,7 @@ LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
 
 void addIfUnreadable(const MarkdownFormula::Side &formula, const LessonWords &piece, const Lesson &lesson,
                      std::vector<Problem> &problems) {
-  const auto read = math::readLatex(formula.text, lesson.macros);
+  const auto read = math::readLatex(formula.text, piece.isOnPage ? lesson.macros : Macros());
   const auto *error = std::get_if<math::ReadError>(&read);
   if (error)
     problems.push_back(

@@ -61,6 +61,7 @@ MainWindow::MainWindow(LessonLibrary library, Session session, const Result<Sett
                   m_panels.messages()) {
   setObjectName("main");
   setAcceptDrops(true);
+  connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
   // What goes on by itself belongs to the window.
   new LessonReloader(m_model, m_panels.messages(), this);
   auto *ownLessons = new OwnLessonFolders(m_model, m_progress, m_panels.messages(), this);
@@ -113,7 +114,6 @@ void MainWindow::createHeader(ContentsPresenter &contents) {
   auto *header = new WindowHeader(*menuBar(), m_model, m_panels.contents());
   connect(header, &WindowHeader::contentsWanted, &contents, &ContentsPresenter::show);
   connect(&m_layout, &WindowLayout::sizeTaken, header, &WindowHeader::showTitle);
-  connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
   connect(&m_look, &WindowLook::changed, header, [this, header] { header->setTheme(m_look.panelTheme()); });
 }
 

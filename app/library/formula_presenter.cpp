@@ -9,15 +9,19 @@ namespace halfspace {
 FormulaPresenter::FormulaPresenter(SessionModel &model, const WindowLook &look, const Typesetter &typesetter,
                                    QWidget &window)
     : QObject(&window), m_model(model), m_look(look), m_typesetter(typesetter), m_window(window) {
-  connect(&model, &SessionModel::lessonChanged, this, &FormulaPresenter::fillIfOpen); // of another library
-  connect(&look, &WindowLook::changed, this, &FormulaPresenter::fillIfOpen);
+  connect(&model, &SessionModel::lessonChanged, this, [this] {
+    if (m_dialog)
+      m_dialog->setChapters(formulasOf(m_model.library())); // which may be another one
+  });
+  connect(&look, &WindowLook::changed, this, [this] {
+    if (m_dialog)
+      m_dialog->setTheme(m_look.panelTheme());
+  });
 }
 
 void FormulaPresenter::show() {
   if (!m_dialog)
     makeDialog();
-  if (!m_dialog->isVisible())
-    fill();
   m_dialog->open(QString::fromStdString(m_model.lesson().chapter));
 }
 
@@ -27,14 +31,6 @@ void FormulaPresenter::makeDialog() {
     m_model.openLesson(id.toStdString());
     m_window.activateWindow();
   });
-}
-
-void FormulaPresenter::fillIfOpen() {
-  if (m_dialog && m_dialog->isVisible())
-    fill();
-}
-
-void FormulaPresenter::fill() {
   m_dialog->setTheme(m_look.panelTheme());
   m_dialog->setChapters(formulasOf(m_model.library()));
 }

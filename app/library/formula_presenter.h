@@ -23,8 +23,6 @@ public:
 private:
   /// Made when it is opened for the first time.
   void makeDialog();
-  void fillIfOpen();
-  void fill();
 
   SessionModel &m_model;
   const WindowLook &m_look;

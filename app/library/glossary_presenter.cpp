@@ -29,7 +29,7 @@ GlossaryPresenter::GlossaryPresenter(SessionModel &model, StepTurner &turner, Sc
     : QObject(parent), m_model(model), m_turner(turner), m_scene(scene), m_look(look),
       m_typesetter(typesetter) {
   QDesktopServices::setUrlHandler(termScheme, this, "showTermAt");
-  connect(&model, &SessionModel::lessonChanged, this, &GlossaryPresenter::fillIfOpen); // of another library
+  connect(&model, &SessionModel::lessonChanged, this, &GlossaryPresenter::fillIfOpen);
   connect(&look, &WindowLook::changed, this, &GlossaryPresenter::fillIfOpen);
 }
 

@@ -48,7 +48,7 @@ private:
   SceneView &m_scene;
   const WindowLook &m_look;
   const Typesetter &m_typesetter;
-  Glossary m_glossary;                         ///< in which the dialog's terms stand
+  Glossary m_glossary;                         ///< of the dialog's terms; filled anew when it opens
   GlossaryDialog *m_dialog = nullptr;          ///< the window's
   std::unique_ptr<OffscreenPainter> m_painter; ///< while the dialog is open
 };

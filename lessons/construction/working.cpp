@@ -61,6 +61,10 @@ bool isOneExpression(const WorkingLine &line) {
   return line.chains.size() == 1 && chain.isIdentity() && chain.symbolic() == 1 && chain.sides().size() > 1;
 }
 
+std::string waitingText(const WorkingLine &line) {
+  return symbolsText(line) + (isOneExpression(line) ? " = ?" : "");
+}
+
 std::string symbolsText(const WorkingLine &line) {
   return joined(line.chains, [](const Chain &chain) { return plainText(chain, 0, chain.symbolic()); });
 }

@@ -80,6 +80,8 @@ struct Working {
 [[nodiscard]] std::string spoken(const WorkingLine &line);
 /// Whether its symbols are one expression, as n·u, so that nothing tells that a result belongs behind them.
 [[nodiscard]] bool isOneExpression(const WorkingLine &line);
+/// A line that waits with its numbers: its symbols, with `= ?` behind a single expression.
+[[nodiscard]] std::string waitingText(const WorkingLine &line);
 /// The line with its numbers left out: f(Q) = n·(Q − P₀); or s, t, s + t.
 [[nodiscard]] std::string symbolsText(const WorkingLine &line);
 

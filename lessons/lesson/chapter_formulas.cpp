@@ -1,5 +1,8 @@
 #include "lessons/lesson/chapter_formulas.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace halfspace {
 namespace {
 
@@ -19,9 +22,11 @@ std::vector<ChapterFormulas> formulasOf(const LessonLibrary &library) {
     LessonFormulas kept = formulasOf(lesson);
     if (kept.formulas.empty())
       continue;
-    if (chapters.empty() || chapters.back().chapter != lesson.chapter)
-      chapters.push_back({lesson.chapter, {}});
-    chapters.back().lessons.push_back(std::move(kept));
+    auto chapter = std::find_if(chapters.begin(), chapters.end(),
+                                [&](const ChapterFormulas &each) { return each.chapter == lesson.chapter; });
+    if (chapter == chapters.end())
+      chapter = chapters.insert(chapters.end(), {lesson.chapter, {}});
+    chapter->lessons.push_back(std::move(kept));
   }
   return chapters;
 }

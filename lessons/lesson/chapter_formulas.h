@@ -10,15 +10,17 @@ struct LessonFormulas {
   std::string lesson; ///< its id
   std::string title;
   std::vector<MarkdownText> formulas;
+  bool operator==(const LessonFormulas &) const = default;
 };
 
 struct ChapterFormulas {
-  std::string chapter; ///< empty for lessons that name none
+  std::string chapter;
   std::vector<LessonFormulas> lessons;
+  bool operator==(const ChapterFormulas &) const = default;
 };
 
-/// The chapters of a library in their order, with those of their lessons that have formulas; a chapter
-/// without any is left out.
+/// The chapters of a library in their order, each once, with those of their lessons that have formulas; a
+/// chapter without any is left out.
 [[nodiscard]] std::vector<ChapterFormulas> formulasOf(const LessonLibrary &library);
 
 } // namespace halfspace

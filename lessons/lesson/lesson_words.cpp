@@ -30,6 +30,14 @@ LessonWords withoutValues(const MarkdownText &text, int line, const std::string 
   return words;
 }
 
+/// Of what is kept beside the lesson.
+LessonWords besidePage(const MarkdownText &text, std::vector<int> lines, const std::string &field) {
+  LessonWords words(text, std::move(lines), field);
+  words.fillsInValues = false;
+  words.isOnPage = false;
+  return words;
+}
+
 } // namespace
 
 std::vector<LessonWords> wordsOf(const LessonStep &step) {
@@ -58,11 +66,9 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
   for (const StepBlock &block : step.blocks)
     std::visit(add, block);
   for (const TaughtTerm &term : step.terms)
-    words.push_back(withoutValues(term.meaning, term.meaningLine, "means"));
-  for (const StepWords &formulas : step.formulas) {
-    words.emplace_back(formulas.text, formulas.lines, "formulas");
-    words.back().fillsInValues = false;
-  }
+    words.push_back(besidePage(term.meaning, {term.meaningLine}, "means"));
+  for (const StepWords &formulas : step.formulas)
+    words.push_back(besidePage(formulas.text, formulas.lines, "formulas"));
   return words;
 }
 

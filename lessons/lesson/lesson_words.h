@@ -14,6 +14,9 @@ struct LessonWords {
   std::string field;          ///< of a block; empty for the words of a step
   bool showsPictures = false; ///< see StepWords
   bool fillsInValues = true;  ///< see Prediction
+  /// It stands on the page of its step; else in the glossary or among the formulas of a chapter, where the
+  /// macros of the lesson are not known.
+  bool isOnPage = true;
 
   /// The line of the file that a place in the text is of.
   [[nodiscard]] int lineAt(std::size_t place) const;

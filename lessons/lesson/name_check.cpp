@@ -139,7 +139,7 @@ public:
       for (const MarkdownFormula &formula : piece.text.markdown().formulas)
         for (const MarkdownFormula::Side &side : formula.sides)
           if (side.isLive)
-            complain(piece.fillsInValues ? whyNotLive(side.text) : noLiveInQuestion(side.text),
+            complain(piece.fillsInValues ? whyNotLive(side.text) : noLiveHere(side.text),
                      piece.lineAt(side.place), piece.field);
     return std::move(m_problems);
   }
@@ -312,9 +312,8 @@ private:
     return whyIncomparable(*meant.value, condition);
   }
 
-  static std::string noLiveInQuestion(const std::string &name) {
-    return words("In a question no live value is filled in: {{name}} would stand here as it is.",
-                 {{"name", name}});
+  static std::string noLiveHere(const std::string &name) {
+    return words("No live value is filled in here: {{name}} would stand as it is.", {{"name", name}});
   }
 
   [[nodiscard]] std::string whyNotLive(const std::string &name) const {

@@ -22,6 +22,7 @@ public:
   [[nodiscard]] bool isEmpty() const { return written().empty(); }
   /// Of a text that cannot be read one paragraph, in which it stands as it is written.
   [[nodiscard]] const Markdown &markdown() const { return m_content->markdown; }
+  bool operator==(const MarkdownText &other) const { return written() == other.written(); }
   /// Why it cannot be read, see readMarkdown; nothing where it can.
   [[nodiscard]] const std::optional<Problem> &problem() const { return m_content->problem; }
 

@@ -272,9 +272,9 @@ std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark, s
   if (text.size() > longestAnswer)
     return {};
   const std::string pointed = withPoints(text, decimalMark);
-  if (const auto apart = numbersBetweenSpaces(pointed);
-      numbersAskedFor > 1 && apart.size() == numbersAskedFor)
-    return readList(apart);
+  if (numbersAskedFor > 1)
+    if (const auto apart = numbersBetweenSpaces(pointed); apart.size() == numbersAskedFor)
+      return readList(apart);
   if (decimalMark != '.')
     if (auto answer = readPlain(pointed))
       return answer;

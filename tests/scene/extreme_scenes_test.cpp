@@ -1,6 +1,7 @@
 // Scenes of every size that coordinates allow, near-parallel ones and those with far results: each has a
 // picture in which its objects can be seen, in bounded time and memory.
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/triangle.h"

@@ -37,7 +37,7 @@ struct TraceableFormula {
 [[nodiscard]] math::Row formulaOf(const std::vector<Chain> &statements);
 [[nodiscard]] math::Row formulaOf(const std::vector<ChainPart> &parts);
 
-/// A line that waits with its numbers: its symbols, with `= ?` behind a single expression.
+/// See waitingText.
 [[nodiscard]] math::Row waitingFormulaOf(const WorkingLine &line);
 
 } // namespace halfspace

@@ -3,15 +3,15 @@
 
 #include "lessons/lesson/chapter_formulas.h"
 #include "widgets/picture/theme.h"
+#include "widgets/when_seen.h"
 
 #include <QDialog>
 
-class QListWidget;
 class QScrollArea;
 
 namespace halfspace {
 
-class RichLabel;
+class NameList;
 class Typesetter;
 
 /// Stands beside its window, which goes on meanwhile. A list of chapters, and the page of the one that is
@@ -22,9 +22,8 @@ public:
   /// The typesetter must outlive it.
   FormulaDialog(const Typesetter &typesetter, QWidget *parent);
 
-  /// For the chapters that come after it.
   void setTheme(const Theme &theme);
-  /// The chapter that is chosen stays so, by its name.
+  /// The chapter that is chosen stays so, by its name. The same chapters change nothing.
   void setChapters(std::vector<ChapterFormulas> chapters);
   /// Comes to the front with a chapter chosen; nothing happens to the choice where it has no such chapter.
   void open(const QString &chapter);
@@ -33,14 +32,14 @@ signals:
   void lessonWanted(const QString &id);
 
 private:
-  void choose(const QString &chapter);
   void showChosen();
   [[nodiscard]] QWidget *pageOf(const ChapterFormulas &chapter);
 
   const Typesetter &m_typesetter;
   std::vector<ChapterFormulas> m_chapters;
-  QListWidget *m_list;
-  QScrollArea *m_page;
+  NameList *m_list;
+  QScrollArea *m_room;
+  WhenSeen m_page; ///< of the chapter that is chosen
   Theme m_theme;
 };
 

@@ -1,14 +1,12 @@
 #include "widgets/lesson/glossary_dialog.h"
 
+#include "widgets/lesson/name_list.h"
 #include "widgets/text/rich_label.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
-#include <QScrollBar>
-#include <QSignalBlocker>
 
 #include <algorithm>
 #include <utility>
@@ -19,8 +17,6 @@ namespace {
 /// The usual width of the whole, and that of a figure, in letters.
 constexpr int lettersInAll = 90;
 constexpr int lettersBeside = 56;
-/// Above and below a term of the list, in pixels.
-constexpr int rowGap = 1;
 /// The height of the whole, in lines.
 constexpr int usualLines = 26;
 /// Of a figure, in its width.
@@ -35,7 +31,7 @@ bool has(const GlossaryDialog::Entry &entry, const QString &words) {
 } // namespace
 
 GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
-    : QDialog(parent), m_search(new QLineEdit), m_list(new QListWidget), m_term(new QLabel),
+    : QDialog(parent), m_search(new QLineEdit), m_list(new NameList), m_term(new QLabel),
       m_meaning(new RichLabel(typesetter)), m_picture(new QLabel), m_lesson(new QPushButton) {
   setObjectName("glossary");
   setWindowTitle(tr("Glossary"));
@@ -45,8 +41,6 @@ GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
   m_search->setClearButtonEnabled(true);
   m_list->setObjectName("terms");
   m_list->setAccessibleName(tr("Terms"));
-  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_list->setSpacing(rowGap);
   QFont large = m_term->font();
   large.setPointSizeF(large.pointSizeF() * largeWords);
   large.setBold(true);
@@ -70,44 +64,27 @@ GlossaryDialog::GlossaryDialog(const Typesetter &typesetter, QWidget *parent)
   columns->addLayout(terms);
   columns->addLayout(details, 1);
   connect(m_search, &QLineEdit::textChanged, this, &GlossaryDialog::search);
-  connect(m_list, &QListWidget::currentRowChanged, this, &GlossaryDialog::showChosen);
+  connect(m_list, &NameList::currentRowChanged, this, &GlossaryDialog::showChosen);
   connect(m_lesson, &QPushButton::clicked, this,
           [this] { emit lessonWanted(static_cast<std::size_t>(m_list->currentRow())); });
   resize(lettersInAll * letter, usualLines * fontMetrics().lineSpacing());
 }
 
 void GlossaryDialog::setEntries(std::vector<Entry> entries, Figure figure) {
-  const QString chosen = m_list->currentItem() ? m_list->currentItem()->text() : QString();
-  const QSignalBlocker untilChosen(m_list);
-  m_list->clear();
   m_entries = std::move(entries);
   m_figure = std::move(figure);
-  int widest = 0;
-  for (const Entry &entry : m_entries) {
-    m_list->addItem(entry.term);
-    widest = std::max(widest, m_list->fontMetrics().horizontalAdvance(entry.term));
-  }
-  const int letter = m_list->fontMetrics().averageCharWidth();
-  const int edges = 2 * (m_list->frameWidth() + letter) + m_list->verticalScrollBar()->sizeHint().width();
-  m_list->setFixedWidth(widest + edges); // each term is seen whole
-  choose(chosen);
+  QStringList terms;
+  for (const Entry &entry : m_entries)
+    terms << entry.term;
+  m_list->setNames(terms);
   search(m_search->text());
   showChosen();
 }
 
 void GlossaryDialog::setTheme(const Theme &theme) { m_meaning->setInk(theme.ink, theme); }
 
-bool GlossaryDialog::choose(const QString &term) {
-  const auto found = std::find_if(m_entries.begin(), m_entries.end(),
-                                  [&](const Entry &entry) { return entry.term == term; });
-  if (found == m_entries.end())
-    return false;
-  m_list->setCurrentRow(static_cast<int>(found - m_entries.begin()));
-  return true;
-}
-
 void GlossaryDialog::open(const QString &term) {
-  if (choose(term))
+  if (m_list->choose(term))
     m_search->clear(); // else it may be hidden
   show();
   raise();

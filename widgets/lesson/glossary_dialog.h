@@ -12,11 +12,11 @@
 
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 
 namespace halfspace {
 
+class NameList;
 class RichLabel;
 class Typesetter;
 
@@ -49,15 +49,13 @@ signals:
   void lessonWanted(std::size_t entry);
 
 private:
-  /// Whether there is an entry for the term.
-  bool choose(const QString &term);
   void search(const QString &words);
   void showChosen();
 
   std::vector<Entry> m_entries;
   Figure m_figure;
   QLineEdit *m_search;
-  QListWidget *m_list;
+  NameList *m_list;
   QLabel *m_term;
   RichLabel *m_meaning;
   QLabel *m_picture;

@@ -8,8 +8,8 @@
 namespace halfspace {
 
 HintColumn::HintColumn(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_column(new QVBoxLayout(this)), m_next(new QToolButton),
-      m_theme(themes().front()) {
+    : QWidget(parent), m_typesetter(typesetter), m_words(*this, [this] { showTold(); }),
+      m_column(new QVBoxLayout(this)), m_next(new QToolButton), m_theme(themes().front()) {
   m_column->setContentsMargins(0, 0, 0, 0);
   m_column->addWidget(m_next, 0, Qt::AlignLeft);
   m_next->setObjectName("hint");
@@ -22,9 +22,13 @@ HintColumn::HintColumn(const Typesetter &typesetter, QWidget *parent)
 
 void HintColumn::setHints(std::vector<Lazy<FilledMarkdown>> hints) {
   m_hints = std::move(hints);
+  m_words.renew();
+  showButton();
+}
+
+void HintColumn::showTold() {
   for (std::size_t i = 0; i < m_told.size(); ++i)
     m_told[i]->setWords(*m_hints.at(i));
-  showButton();
 }
 
 void HintColumn::setHeld(bool held) {
@@ -40,6 +44,8 @@ void HintColumn::setTheme(const Theme &theme) {
 
 void HintColumn::tellNext() {
   addLabel();
+  if (m_told.size() == m_hints.size()) // the button goes, and would hand its focus to a number field
+    setFocus();
   showButton();
   emit told();
 }
@@ -51,7 +57,9 @@ void HintColumn::addLabel() {
   m_column->insertWidget(static_cast<int>(m_told.size()), label);
   label->show(); // at once: whoever hears of it scrolls there
   m_told.push_back(label);
-  m_next->setAccessibleDescription(label->plain()); // it has the focus, and is what is spoken
+  // One of the two has the focus then, and is what is spoken.
+  m_next->setAccessibleDescription(label->plain());
+  setAccessibleDescription(label->plain());
 }
 
 void HintColumn::showButton() {

@@ -4,6 +4,7 @@
 #include "lessons/lazy.h"
 #include "widgets/picture/theme.h"
 #include "widgets/text/rich_label.h"
+#include "widgets/when_seen.h"
 
 #include <vector>
 
@@ -19,7 +20,8 @@ class HintColumn : public QWidget {
 public:
   explicit HintColumn(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  /// The hints in their order, each made when it is told. As many as were told before are told of these.
+  /// The hints in their order, each made when it is told and seen. As many as were told before are told of
+  /// these.
   void setHints(std::vector<Lazy<FilledMarkdown>> hints);
   [[nodiscard]] bool isEmpty() const { return m_hints.empty(); }
   /// While it is held no hint becomes less high.
@@ -32,11 +34,13 @@ signals:
 private:
   void tellNext();
   void addLabel();
+  void showTold();
   void showButton();
 
   const Typesetter &m_typesetter;
   std::vector<Lazy<FilledMarkdown>> m_hints;
   std::vector<RichLabel *> m_told; ///< of the first hints
+  WhenSeen m_words;                ///< theirs
   QVBoxLayout *m_column;
   QToolButton *m_next;
   Theme m_theme;

@@ -119,7 +119,7 @@ void LessonPage::setTheme(const Theme &theme) {
   setPalette(background);
   m_page->setSpacing(scaled(blockGap));
   m_head->setLook(theme, font());
-  m_blocks->layout()->setSpacing(scaled(blockGap));
+  m_blocks->setGap(scaled(blockGap));
   m_blocks->setTheme(theme);
   m_foot->setTheme(theme);
   setMargins();

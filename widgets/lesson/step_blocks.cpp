@@ -4,7 +4,7 @@
 #include "widgets/lesson/note_fold.h"
 #include "widgets/working/step_working.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,10 +23,16 @@ StepBlocks::StepBlocks(const Typesetter &typesetter, const LessonStep &step, con
   const Overloaded makeBlock{[&](const StepWords &words) { return blockOf(words, links); },
                              [this](const auto &each) { return blockOf(each); }};
   for (const StepBlock &block : step.blocks) {
-    column->addWidget(std::visit(makeBlock, block));
-    if (std::holds_alternative<Prediction>(block))
+    if (m_prediction && !m_behindQuestion)
       column = columnBehindQuestion(*column);
+    column->addWidget(std::visit(makeBlock, block));
   }
+}
+
+void StepBlocks::setGap(int gap) {
+  layout()->setSpacing(gap);
+  if (m_behindQuestion)
+    m_behindQuestion->layout()->setSpacing(gap);
 }
 
 QVBoxLayout *StepBlocks::columnBehindQuestion(QVBoxLayout &column) {
@@ -110,9 +116,8 @@ Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const MarkdownText &words) const
 void StepBlocks::setTaskStates(const std::vector<TaskState> &states) {
   for (std::size_t i = 0; i < m_tasks.size(); ++i)
     m_tasks[i]->setState(i < states.size() ? states[i] : TaskState::Open);
-  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const TaskRow *task) {
-    return task->state() == TaskState::Open || task->state() == TaskState::HoldsAlready;
-  });
+  const auto due =
+      std::find_if(m_tasks.begin(), m_tasks.end(), [](const TaskRow *task) { return task->isDue(); });
   const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : *due;
   const TaskRow *before = std::exchange(m_dueTask, now);
   if (states.empty() || !before || before == now)
@@ -126,6 +131,10 @@ void StepBlocks::setAnswer(const std::optional<GivenAnswer> &answer) {
   if (!m_prediction)
     return;
   m_prediction->setAnswer(answer);
+  if (!m_behindQuestion)
+    return;
+  if (!answer && m_behindQuestion->isAncestorOf(QApplication::focusWidget()))
+    setFocus(); // what goes would hand it to a number field
   m_behindQuestion->setVisible(answer.has_value());
 }
 

@@ -36,6 +36,8 @@ public:
   /// While they are held none becomes less high.
   void setHeld(bool held);
   void setTheme(const Theme &theme);
+  /// Between blocks, in pixels.
+  void setGap(int gap);
 
 signals:
   void predictionChosen(const QString &word);
@@ -75,7 +77,7 @@ private:
   std::vector<TaskRow *> m_tasks;
   const TaskRow *m_dueTask = nullptr;    ///< null while none is known, or all are done
   PredictionBox *m_prediction = nullptr; ///< null in steps without one
-  QWidget *m_behindQuestion = nullptr;   ///< likewise
+  QWidget *m_behindQuestion = nullptr;   ///< null where nothing stands there
 };
 
 } // namespace halfspace

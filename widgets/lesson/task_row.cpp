@@ -71,7 +71,7 @@ void TaskRow::setWords(FilledMarkdown instruction, Lazy<FilledMarkdown> now, Laz
 
 void TaskRow::setHints(std::vector<Lazy<FilledMarkdown>> hints) {
   m_hints->setHints(std::move(hints));
-  m_hints->setVisible(isDue() && !m_hints->isEmpty());
+  showHints();
 }
 
 void TaskRow::setHeld(bool held) {
@@ -93,7 +93,7 @@ void TaskRow::setState(TaskState state) {
     return;
   m_state = state;
   showRemark();
-  m_hints->setVisible(isDue() && !m_hints->isEmpty());
+  showHints();
   setInks();
   setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
   tellScreenReader();
@@ -107,6 +107,8 @@ void TaskRow::setTheme(const Theme &theme) {
   setInks();
   update();
 }
+
+void TaskRow::showHints() { m_hints->setVisible(isDue() && !m_hints->isEmpty()); }
 
 bool TaskRow::isDue() const { return m_state == TaskState::Open || m_state == TaskState::HoldsAlready; }
 

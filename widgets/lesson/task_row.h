@@ -23,6 +23,8 @@ public:
   void setHeld(bool held);
   void setState(TaskState state);
   [[nodiscard]] TaskState state() const { return m_state; }
+  /// Whether it is the learner's turn.
+  [[nodiscard]] bool isDue() const;
   void setTheme(const Theme &theme);
 
   /// What a screen reader is told: what is to be done, and how far it is.
@@ -38,8 +40,7 @@ protected:
 private:
   /// Says below the instruction what is said there now; whether that is something else.
   bool showRemark();
-  /// Whether it is the learner's turn.
-  [[nodiscard]] bool isDue() const;
+  void showHints();
   void setInks();
   void tellScreenReader();
 

@@ -111,6 +111,8 @@ void BlankFields::place() {
 }
 
 bool BlankFields::focusFirst() {
+  if (!m_block.isVisible())
+    return false;
   for (const TypesetLine &line : m_layout.lines())
     if (BlankField *field = fieldOf(line.source.id)) {
       field->setFocus();

@@ -62,7 +62,7 @@ bool LineCursor::step(int way) {
 
 bool LineCursor::comeIn(int way) {
   const std::size_t count = m_layout.lines().size();
-  if (count == 0)
+  if (count == 0 || !m_block.isVisible())
     return false;
   m_block.setFocus();
   goTo(way > 0 ? 0 : count - 1);

@@ -42,7 +42,7 @@ std::string ShownLines::spokenOf(const WorkingLine &line) const {
   if (const Gap *gap = gapOf(line.id))
     return questionText(line, *gap);
   if (hides(line.id))
-    return symbolsText(line) + (isOneExpression(line) ? " = ?" : "");
+    return waitingText(line);
   return halfspace::spoken(line) + (line.sentence.empty() ? "" : ". " + line.sentence);
 }
 

@@ -21,16 +21,18 @@ std::string step(const std::string &formula) {
 TEST(ChapterFormulas, AreThoseOfItsLessons_InTheirOrder) {
   const LessonLibrary library{{lessonOf("a", "One", step("x") + step("") + step("y")),
                                lessonOf("b", "One", step("")), lessonOf("c", "One", step("z")),
-                               lessonOf("d", "Two", step("")), lessonOf("e", "Three", step("w"))},
+                               lessonOf("d", "Two", step("")), lessonOf("e", "Three", step("w")),
+                               lessonOf("own", "One", step("v"))},
                               {}};
   const auto chapters = formulasOf(library);
   ASSERT_EQ(chapters.size(), 2U);
   EXPECT_EQ(chapters[0].chapter, "One");
-  ASSERT_EQ(chapters[0].lessons.size(), 2U);
+  ASSERT_EQ(chapters[0].lessons.size(), 3U);
   EXPECT_EQ(chapters[0].lessons[0].title, "About a");
   ASSERT_EQ(chapters[0].lessons[0].formulas.size(), 2U);
   EXPECT_EQ(chapters[0].lessons[0].formulas[1].written(), "$y$");
   EXPECT_EQ(chapters[0].lessons[1].lesson, "c");
+  EXPECT_EQ(chapters[0].lessons[2].lesson, "own") << "each chapter stands once";
   EXPECT_EQ(chapters[1].chapter, "Three");
 }
 

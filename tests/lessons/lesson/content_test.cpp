@@ -411,6 +411,15 @@ TEST(Content, EveryTask_SaysWhatWasToBeSeenWhenItIsDone) {
         EXPECT_FALSE(task.answer.isEmpty()) << lesson.id << ": " << task.instruction.written();
 }
 
+TEST(Content, EveryLesson_HasFormulasToKeep) {
+  const std::set<std::string> without{"photon-torpedo", "misprints"}; // which only use those of others
+  for (const Lesson &lesson : library().lessons)
+    EXPECT_EQ(std::any_of(lesson.steps.begin(), lesson.steps.end(),
+                          [](const LessonStep &step) { return !step.formulas.empty(); }),
+              !without.contains(lesson.id))
+        << lesson.id;
+}
+
 TEST(Content, EveryTask_HasHints) {
   for (const Lesson &lesson : library().lessons)
     for (const LessonStep &step : lesson.steps)

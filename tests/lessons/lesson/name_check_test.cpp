@@ -58,9 +58,9 @@ TEST(NameCheck, LiveValuesInAQuestion_AreTold_BecauseNoneIsFilledIn) {
   EXPECT_EQ(
       problemsIn("## One\n```predict\nask: What is {d.f}?\nanswer: d.side\nchoices:\n  positive: It is {Q}\n"
                  "  negative: $\\vec{n}$\nwhy: So {d.f} is.\n```\n"),
-      (Texts{"14: ask: In a question no live value is filled in: {d.f} would stand here as it is.",
-             "17: choices: In a question no live value is filled in: {Q} would stand here as it is.",
-             "19: why: In a question no live value is filled in: {d.f} would stand here as it is."}));
+      (Texts{"14: ask: No live value is filled in here: {d.f} would stand as it is.",
+             "17: choices: No live value is filled in here: {Q} would stand as it is.",
+             "19: why: No live value is filled in here: {d.f} would stand as it is."}));
 }
 
 TEST(NameCheck, BlocksOfWhatLooksAtNoTriangles_AreTold) {

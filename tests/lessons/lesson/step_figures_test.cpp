@@ -74,7 +74,7 @@ struct StepOf {
   [[nodiscard]] std::vector<std::string> formulas() const {
     std::vector<std::string> all;
     for (const LessonWords &words : wordsOf(step))
-      if (words.field != "means" && words.field != "formulas") // which stand elsewhere
+      if (words.isOnPage)
         for (std::string &formula : formulasIn(words.text.written()))
           all.push_back(std::move(formula));
     for (const WorkingLine &line : shown.working.lines)

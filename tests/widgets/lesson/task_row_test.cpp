@@ -5,10 +5,12 @@
 #include "widgets/colors.h"
 #include "widgets/verdict.h"
 
+#include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
@@ -137,6 +139,26 @@ private slots:
     QVERIFY(!button->isVisible());
     row.setState(TaskState::Done);
     QCOMPARE(hintsIn(row), QStringList());
+  }
+
+  void lastHint_keepsTheKeysAwayFromWhatFollows_andIsSpoken() {
+    QWidget window;
+    auto *row = new TaskRow(m_typesetter);
+    auto *number = new QLineEdit; // the next key there would change the scene
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(row);
+    layout->addWidget(number);
+    row->setWords(asWritten("Make it 3."), later(""), later(""));
+    row->setHints({later("Drag $Q$ up.")});
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    auto *button = row->findChild<QToolButton *>("hint");
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    QVERIFY(!button->isVisible());
+    auto *hints = row->findChild<HintColumn *>();
+    QCOMPARE(window.focusWidget(), static_cast<QWidget *>(hints));
+    QCOMPARE(hints->accessibleDescription(), QString("Drag Q up."));
   }
 
   void row_withoutHints_offersNone() {
