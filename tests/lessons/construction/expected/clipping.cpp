@@ -134,7 +134,9 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 
 namespace expected {
 
-Expected clipping() { return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.38}; }
+Expected clipping() {
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.38};
+}
 
 } // namespace expected
 } // namespace halfspace::test
