@@ -27,6 +27,10 @@ bool hasSides(const PlanePatchMark &patch) {
 
 } // namespace
 
+std::string partOf(const std::string &mark, std::size_t number) {
+  return number == 0 ? mark : mark + "/" + std::to_string(number);
+}
+
 Hue hueOf(Subject subject) {
   switch (subject) {
   case Subject::Neutral:

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,9 @@ struct MarkBase {
   Look look{};           ///< that of the one object that it speaks of
   bool operator==(const MarkBase &) const = default;
 };
+
+/// The ids of several marks that are shown as one, counted from 0: `box`, then `box/1`, `box/2`.
+[[nodiscard]] std::string partOf(const std::string &mark, std::size_t number);
 
 /// How far something is drawn both ways along a direction, in units of the picture.
 struct Extent {

@@ -25,10 +25,9 @@ void drawRing(Figure &figure, const MarkBase &base, const Place &center, const E
   const std::array thirds{across, -0.5 * across + half * along, -0.5 * across - half * along};
   for (std::size_t i = 0; i < thirds.size(); ++i) {
     MarkBase third = base;
-    if (i > 0) {
-      third.id += "/" + std::to_string(i);
+    third.id = partOf(base.id, i);
+    if (i > 0)
       third.numbers.clear();
-    }
     figure.add(ArcMark{std::move(third), center, thirds.at(i), thirds.at((i + 1) % thirds.size())});
   }
 }

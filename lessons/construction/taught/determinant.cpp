@@ -231,10 +231,9 @@ void drawBox(Figure &figure, const Out &at) {
   const std::array sides{at.in.u.object.vector, at.in.v.object.vector, at.in.w.object.vector};
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (const ExactVec3 &from : {at.start, ExactVec3(at.start + sides.at((i + 2) % 3))}) {
-      const std::string id = at.mark("box");
       const std::size_t faces = figure.marks.size();
-      addFace(figure, {faces == 0 ? id : id + "/" + std::to_string(faces), Role::Given, Subject::Neutral},
-              from, sides.at(i), sides.at((i + 1) % 3));
+      addFace(figure, {partOf(at.mark("box"), faces), Role::Given, Subject::Neutral}, from, sides.at(i),
+              sides.at((i + 1) % 3));
     }
 }
 

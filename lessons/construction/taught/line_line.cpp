@@ -203,9 +203,8 @@ void drawTetrahedron(Figure &figure, const Out &at) {
   const std::array corners{place(at.g.A), place(at.g.A) + place(at.g.v), place(at.h.A),
                            place(at.h.A) + place(at.h.v)};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::string &id = at.T->mark;
     figure.add(PolygonMark{
-        {i == 0 ? id : id + "/" + std::to_string(i), Role::Derived, Subject::Measure},
+        {partOf(at.T->mark, i), Role::Derived, Subject::Measure},
         {corners.at(i), corners.at((i + 1) % corners.size()), corners.at((i + 2) % corners.size())}});
   }
 }

@@ -120,9 +120,8 @@ void drawSaucer(Figure &figure, const Out &at) {
   const bool hasFlownOn = now != vectorOf(at.Q);
   std::size_t number = 0;
   const auto add = [&](std::vector<Place> corners) {
-    std::string id = at.mark("saucer") + (number > 0 ? "/" + std::to_string(number) : "");
+    PolygonMark part{{partOf(at.mark("saucer"), number), Role::Given, Subject::Neutral}, std::move(corners)};
     ++number;
-    PolygonMark part{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)};
     part.passes = hasFlownOn;
     figure.add(inLook(at.in.U.look, std::move(part)));
   };
