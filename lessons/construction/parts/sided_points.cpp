@@ -43,6 +43,13 @@ SidedPoint sidedPoint(const Naming &naming, const std::string &role, const Given
           measured};
 }
 
+std::string namesOf(const std::vector<Term> &points) {
+  std::string names;
+  for (const Term &point : points)
+    names += (names.empty() ? "" : ", ") + plainText(point);
+  return names;
+}
+
 WorkingLine valueLine(const Naming &naming, const PlaneTerms &plane, const SidedPoint &sided) {
   const Term &point = sided.point;
   return asked(

@@ -25,6 +25,9 @@ struct SidedPoint {
 [[nodiscard]] SidedPoint sidedPoint(const Naming &naming, const std::string &role,
                                     const Given<PlaneObject> &plane, const Given<PointObject> &point);
 
+/// A, C
+[[nodiscard]] std::string namesOf(const std::vector<Term> &points);
+
 /// f(A) = n·(A − P₀)
 [[nodiscard]] WorkingLine valueLine(const Naming &naming, const PlaneTerms &plane, const SidedPoint &sided);
 

@@ -75,13 +75,6 @@ private:
   }
 };
 
-std::string namesOf(const std::vector<Term> &points) {
-  std::string names;
-  for (const Term &point : points)
-    names += (names.empty() ? "" : ", ") + plainText(point);
-  return names;
-}
-
 CaseWords tell(const Out &at) {
   if (!at.hasPlane)
     return zeroNormalWords(at);

@@ -25,20 +25,12 @@ struct Out : Computed<In>, PlaneTerms {
                                    sidedPoint(in, "C", in.E, in.C), sidedPoint(in, "D", in.E, in.D)};
 };
 
-std::vector<const SidedPoint *> pointsOn(const Out &at, PointPlaneCase side) {
-  std::vector<const SidedPoint *> found;
-  for (const SidedPoint &point : at.points)
-    if (point.measured.which == side)
-      found.push_back(&point);
+std::vector<Term> pointsOn(const Out &at, PointPlaneCase side) {
+  std::vector<Term> found;
+  for (const SidedPoint &each : at.points)
+    if (each.measured.which == side)
+      found.push_back(each.point);
   return found;
-}
-
-/// A, C
-std::string namesOf(const std::vector<const SidedPoint *> &points) {
-  std::string names;
-  for (const SidedPoint *each : points)
-    names += (names.empty() ? "" : ", ") + plainText(each->point);
-  return names;
 }
 
 /// Which points lie where, a sentence for each place that has some.
