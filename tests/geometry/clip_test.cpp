@@ -1,4 +1,5 @@
 #include "geometry/clip.h"
+#include "geometry/polygon.h"
 #include "tests/effort.h"
 #include "tests/geometry/random_bodies.h"
 
@@ -6,11 +7,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 namespace halfspace {
 namespace {
 
-using Corners = Polygon<Rational>;
+using Corners = std::vector<ExactVec3>;
 
 Corners clipped(const Corners &corners, const Plane<Rational> &plane) {
   return clipPolygon(std::span<const ExactVec3>(corners), plane);

@@ -48,7 +48,7 @@ struct Out : Computed<In>, PlaneTerms {
   SidedPoint B = sidedPoint(in, "B", in.E, in.B);
   SidedPoint C = sidedPoint(in, "C", in.E, in.C);
   std::array<Edge, 3> edges{edgeOf(in, "1", A, B), edgeOf(in, "2", B, C), edgeOf(in, "3", C, A)};
-  std::vector<Term> kept = keptCorners();
+  std::vector<Term> kept = keptPoints();
   bool isAnyKept = isClipped && !kept.empty();
 
   [[nodiscard]] std::array<const SidedPoint *, 3> corners() const { return {&A, &B, &C}; }
@@ -63,14 +63,11 @@ struct Out : Computed<In>, PlaneTerms {
 
 private:
   /// The corners of what is left, as the walk writes them.
-  [[nodiscard]] std::vector<Term> keptCorners() const {
+  [[nodiscard]] std::vector<Term> keptPoints() const {
+    const std::array clips{edges[0].clip, edges[1].clip, edges[2].clip};
     std::vector<Term> all;
-    for (const Edge &edge : edges) {
-      if (edge.clip.isCut)
-        all.push_back(edge.H);
-      if (edge.clip.which == EdgeCase::Kept || edge.clip.which == EdgeCase::Enters)
-        all.push_back(edge.to.point);
-    }
+    for (const auto &[edge, isCut] : keptCorners<Rational>(clips))
+      all.push_back(isCut ? edges.at(edge).H : edges.at(edge).to.point);
     return all;
   }
 };
