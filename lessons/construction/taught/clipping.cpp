@@ -44,20 +44,19 @@ struct Out : Computed<In>, PlaneTerms {
       shapeOf(Triangle<Rational>{in.A.object.at, in.B.object.at, in.C.object.at}) == TriangleShape::Proper;
   bool isClipped = hasPlane && isTriangle;
 
-  SidedPoint A = sidedPoint(in, "A", in.E, in.A);
-  SidedPoint B = sidedPoint(in, "B", in.E, in.B);
-  SidedPoint C = sidedPoint(in, "C", in.E, in.C);
-  std::array<Edge, 3> edges{edgeOf(in, "1", A, B), edgeOf(in, "2", B, C), edgeOf(in, "3", C, A)};
+  std::array<SidedPoint, 3> corners{sidedPoint(in, "A", in.E, in.A), sidedPoint(in, "B", in.E, in.B),
+                                    sidedPoint(in, "C", in.E, in.C)};
+  std::array<Edge, 3> edges{edgeOf(in, "1", corners[0], corners[1]), edgeOf(in, "2", corners[1], corners[2]),
+                            edgeOf(in, "3", corners[2], corners[0])};
   std::vector<Term> kept = keptPoints();
   bool isAnyKept = isClipped && !kept.empty();
 
-  [[nodiscard]] std::array<const SidedPoint *, 3> corners() const { return {&A, &B, &C}; }
   [[nodiscard]] bool isCut(std::size_t edge) const { return edges.at(edge).clip.isCut; }
   /// How many corners of the triangle lie on a side of the plane, or in it.
   [[nodiscard]] int countOf(PointPlaneCase which) const {
     int count = 0;
-    for (const SidedPoint *corner : corners())
-      count += corner->measured.which == which ? 1 : 0;
+    for (const SidedPoint &corner : corners)
+      count += corner.measured.which == which ? 1 : 0;
     return count;
   }
 
@@ -162,11 +161,19 @@ WorkingLine walkLine(const Out &at, std::size_t index) {
 bool isClipped(const Out &at, std::size_t /*edge*/) { return at.isClipped; }
 bool isCut(const Out &at, std::size_t edge) { return at.isCut(edge); }
 
+constexpr std::array roles{"A", "B", "C"};
+
+LineTable<Out> cornerLines() {
+  LineTable<Out> table;
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    table.push_back({"f-" + std::string(roles.at(i)), always,
+                     [i](const Out &at) { return valueLine(at, at, at.corners.at(i)); }});
+  return table;
+}
+
 LineTable<Out> lines() {
   return joined<LineRow<Out>>(
-      {{{"f-A", always, [](const Out &at) { return valueLine(at, at, at.A); }},
-        {"f-B", always, [](const Out &at) { return valueLine(at, at, at.B); }},
-        {"f-C", always, [](const Out &at) { return valueLine(at, at, at.C); }}},
+      {cornerLines(),
        linesOfEach<Out>(
            3, isClipped,
            {{"t", partLine, isCut}, {"cut", cutLine, isCut}, {"even", evenLine, isCut}, {"walk", walkLine}},
@@ -202,8 +209,8 @@ void drawKept(Figure &figure, const Out &at) {
 Figure draw(const Out &at) {
   Figure figure;
   drawTriangle(figure, at);
-  for (const SidedPoint *corner : at.corners())
-    drawSide(figure, at.in.E, *corner, latexOf(calculated(corner->f)));
+  for (const SidedPoint &corner : at.corners)
+    drawSide(figure, at.in.E, corner, latexOf(calculated(corner.f)));
   for (const Edge &edge : at.edges)
     if (edge.clip.isCut) {
       figure.add(pointOf(edge.H, Role::Result, Subject::Measure));
@@ -217,8 +224,8 @@ Figure draw(const Out &at) {
 std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   if (at.hasPlane)
-    for (const SidedPoint *corner : at.corners())
-      addIntoPlane(at.in.E.object, *corner, is("f_" + corner->role, "0"), all);
+    for (const SidedPoint &corner : at.corners)
+      addIntoPlane(at.in.E.object, corner, is("f_" + corner.role, "0"), all);
   return all;
 }
 
@@ -236,6 +243,14 @@ Word wordOf(EdgeCase which) {
   return {"outside", words("neither end is kept")};
 }
 
+ValueTable<Out> cornerRows() {
+  ValueTable<Out> table;
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    table.push_back({named::number("f_" + std::string(roles.at(i))), always,
+                     [i](const Out &at) { return at.corners.at(i).f; }});
+  return table;
+}
+
 ValueTable<Out> edgeRows(std::size_t index) {
   const std::string number = std::to_string(index + 1);
   const auto cut = [index](const Out &at) { return at.isCut(index); };
@@ -250,10 +265,8 @@ ValueTable<Out> edgeRows(std::size_t index) {
 
 ValueTable<Out> values() {
   return joined<ValueRow<Out>>(
-      {{{named::number("f_A"), always, [](const Out &at) { return at.A.f; }},
-        {named::number("f_B"), always, [](const Out &at) { return at.B.f; }},
-        {named::number("f_C"), always, [](const Out &at) { return at.C.f; }},
-        {named::number("nn"), always, [](const Out &at) { return dot(at.n, at.n); }}},
+      {cornerRows(),
+       {{named::number("nn"), always, [](const Out &at) { return dot(at.n, at.n); }}},
        edgeRows(0),
        edgeRows(1),
        edgeRows(2),
