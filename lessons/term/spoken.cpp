@@ -127,7 +127,7 @@ public:
   }
 
   [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
-    if (entries.size() == 1) // floor(p)
+    if (entries.size() == 1) // a function's argument in parentheses, as in floor(p), is a list of one
       return entries.front();
     std::string text = entries.size() == 3 ? words("the triple") : words("the list");
     for (std::size_t i = 0; i < entries.size(); ++i)
