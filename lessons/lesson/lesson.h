@@ -26,6 +26,7 @@
 //   ```task
 //   do: Drag Q to the other side.
 //   when: side = negative
+//   hints: ['The sign of f(Q) tells the side.', 'Drag Q through E.']
 //   ```
 //   ```predict
 //   ask: On which side of the plane is Q?
@@ -47,6 +48,11 @@
 //   ```
 //   ```term
 //   {name: signed distance, also: [signed distances], means: How far a point is from a plane.}
+//   ```
+//   ```formulas
+//   The signed distance of $Q$ from the plane:
+//
+//   $$d = \frac{f(Q)}{\lvert\vec n\rvert}$$
 //   ```
 //   ```note
 //   A slip in the lecture notes
