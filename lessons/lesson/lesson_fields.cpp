@@ -17,6 +17,16 @@ namespace {
 constexpr int maxFrontMatterDepth = 12;
 constexpr int highestOrder = 10000;
 
+/// A text is neither empty nor longer than others in the file.
+void checkText(const DocumentNode &text, const std::string &field, FieldReader &fields) {
+  if (text.text.empty())
+    fields.complain(text, field, words("This text is empty: write it, or take it away."));
+  if (text.text.size() > maxFieldText)
+    fields.complain(text, field,
+                    words("This text is too long: at most {limit} bytes are read.",
+                          {{"limit", std::to_string(maxFieldText)}}));
+}
+
 /// The texts of a list, or one alone; none where nothing stands there.
 std::vector<const DocumentNode *> textsIn(const DocumentNode &node, const std::string &field,
                                           FieldReader &fields) {
@@ -24,10 +34,12 @@ std::vector<const DocumentNode *> textsIn(const DocumentNode &node, const std::s
   if (node.kind == DocumentNode::Kind::Text && !node.text.empty())
     texts.push_back(&node);
   for (const DocumentNode &child : node.children)
-    if (child.kind == DocumentNode::Kind::Text)
+    if (child.kind == DocumentNode::Kind::Text && child.key.empty())
       texts.push_back(&child);
     else
       fields.complain(child, field, words("Here a list of texts is expected."));
+  for (const DocumentNode *text : texts)
+    checkText(*text, field, fields);
   return texts;
 }
 

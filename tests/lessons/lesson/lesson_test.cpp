@@ -1,6 +1,7 @@
 #include "lessons/lesson/lesson.h"
 
 #include "lessons/lesson/shown.h"
+#include "lessons/reading/document.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -387,6 +388,26 @@ TEST(LessonProblems, InBlocks_NameLineAndField) {
       "choices");
   EXPECT_EQ(problemOf(frontMatter + "## One\n```lines\n\n```\n").field, "lines");
   EXPECT_EQ(problemOf(frontMatter + "## One\n```lines\n$x$\n```\n").line, 14);
+}
+
+TEST(LessonProblems, InListsOfTexts_NameLineAndField) {
+  const std::string task = frontMatter + "## One\n```task\ndo: x\nwhen: t = 1\n";
+  const std::string term = frontMatter + "## One\n```term\nname: a\nmeans: b\n";
+  const std::string tooLong(maxFieldText + 1, 'a');
+  for (const std::string &wrong :
+       {std::string("['']"), std::string("[b, '']"), std::string("{a: b}"), "[" + tooLong + "]", tooLong}) {
+    const Problem hints = problemOf(task + "hints: " + wrong + "\n```\n");
+    EXPECT_EQ(hints.field, "hints") << wrong;
+    EXPECT_EQ(hints.line, 16) << wrong;
+    EXPECT_EQ(problemOf(term + "also: " + wrong + "\n```\n").field, "term.also") << wrong;
+    const Problem sources = problemOf(replaced(frontMatter, "[PG 1]", wrong) + "## One\n");
+    EXPECT_EQ(sources.field, "sources") << wrong;
+    EXPECT_EQ(sources.line, 5) << wrong;
+    const Problem needs = problemOf(replaced(frontMatter, "sources: [PG 1]", "needs: " + wrong) + "## One\n");
+    EXPECT_EQ(needs.field, "needs") << wrong;
+  }
+  const auto lesson = parseLesson(task + "hints: [" + tooLong.substr(1) + "]\n```\n", "a.md");
+  EXPECT_TRUE(lesson) << "as long as it may be";
 }
 
 TEST(LessonProblems, TooLarge_IsRefused) {
