@@ -32,10 +32,11 @@ struct Out : Computed<In>, ScreenTerms {
   const ExactVec3 &normal = meet.perps.normal;
   bool isScreen = meet.perps.denominator != 0 && screen.w > 0 && screen.h > 0;
   bool isRectangle = meet.perps.uv == 0;
-  Rational eyeDepth = dot(ExactVec3(screen.corner - eye), normal);
-  Rational depth = dot(ExactVec3(in.X.object.at - eye), normal); ///< of X
-  bool isCamera = isScreen && eyeDepth != 0;
-  bool hasImage = isCamera && depth != 0;
+  // How deep the screen and X lie before the eye, along n, times |n|:
+  Rational screenDepth = dot(ExactVec3(screen.corner - eye), normal);
+  Rational pointDepth = dot(ExactVec3(in.X.object.at - eye), normal);
+  bool isCamera = isScreen && screenDepth != 0;
+  bool hasImage = isCamera && pointDepth != 0;
   bool isAhead = hasImage && meet.plane.t > 0;
   Rational across = meet.s * screen.w;       ///< from the corner to the image along u, in pixels
   Rational down = meet.tTriangle * screen.h; ///< and along v
@@ -187,17 +188,28 @@ LineTable<Out> lines() {
        says("How wide a piece of the plane through {X}, parallel to the screen, the pixel shows.")}};
 }
 
-/// The pixel's corners.
-std::vector<ExactVec3> cornersOf(const Out &at) {
-  const auto &[i, j] = std::tie(at.column, at.row);
-  return {at.screen.at(i, j), at.screen.at(i + 1, j), at.screen.at(i + 1, j + 1), at.screen.at(i, j + 1)};
+/// The corners of so many columns and rows of pixels, from a pixel on.
+std::vector<ExactVec3> cornersOf(const ScreenObject &screen, const Rational &column, const Rational &row,
+                                 const Rational &columns, const Rational &rows) {
+  return {screen.at(column, row), screen.at(column + columns, row), screen.at(column + columns, row + rows),
+          screen.at(column, row + rows)};
+}
+
+/// What the screen shows lies between the lines from the eye to its corners.
+void drawView(Figure &figure, const Out &at) {
+  const std::vector<ExactVec3> corners = cornersOf(at.screen, 0, 0, at.screen.w, at.screen.h);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    figure.add(
+        SegmentMark{{at.mark("view") + (i > 0 ? "/" + std::to_string(i) : ""), Role::Ghost, Subject::Neutral},
+                    place(at.Q),
+                    place(corners[i])});
 }
 
 /// The pixel, its ray, and what it shows in the plane through X that is parallel to the screen.
 void drawPixel(Figure &figure, const Out &at) {
   std::vector<Place> pixel;
   std::vector<Place> patch;
-  for (const ExactVec3 &corner : cornersOf(at)) {
+  for (const ExactVec3 &corner : cornersOf(at.screen, at.column, at.row, 1, 1)) {
     pixel.push_back(place(corner));
     patch.push_back(place(ExactVec3(at.eye + ExactVec3(corner - at.eye) * at.reach)));
   }
@@ -238,16 +250,8 @@ Figure draw(const Out &at) {
   Figure figure;
   if (at.isScreen)
     addDirection(figure, at.n, place(at.P0), 2, Role::Derived, Subject::Plane);
-  if (at.isCamera) { // what the screen shows lies between these
-    std::size_t number = 0;
-    for (const ExactVec3 &corner : {at.screen.at(0, 0), at.screen.at(at.screen.w, 0),
-                                    at.screen.at(at.screen.w, at.screen.h), at.screen.at(0, at.screen.h)}) {
-      const std::string beside = number > 0 ? "/" + std::to_string(number) : "";
-      ++number;
-      figure.add(
-          SegmentMark{{at.mark("view") + beside, Role::Ghost, Subject::Neutral}, place(at.Q), place(corner)});
-    }
-  }
+  if (at.isCamera)
+    drawView(figure, at);
   if (at.hasImage)
     drawImage(figure, at);
   if (at.isSeen)
@@ -259,13 +263,13 @@ std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   if (!at.isCamera)
     return all;
-  const auto shift = [&](const Rational &depth) { // along n
+  const auto shift = [&](const Rational &depth) { // along n, by a depth times |n|
     return ExactVec3(at.normal * Rational(depth / dot(at.normal, at.normal)));
   };
   all.push_back({is("case", "eye-in-screen"), words("{Q} would lie in the plane of the screen.", at.letters),
-                 "Q", PointObject{ExactVec3(at.eye + shift(at.eyeDepth))}});
+                 "Q", PointObject{ExactVec3(at.eye + shift(at.screenDepth))}});
   if (at.hasImage) {
-    const ExactVec3 level = at.in.X.object.at - shift(at.depth);
+    const ExactVec3 level = at.in.X.object.at - shift(at.pointDepth);
     all.push_back({is("case", "level"),
                    level == at.eye ? words("{X} would be at the eye itself.", at.letters)
                                    : words("The line of sight would run parallel to the screen."),
