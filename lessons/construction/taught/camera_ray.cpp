@@ -30,7 +30,7 @@ struct Out : Computed<In>, ScreenTerms {
   const ExactVec3 &eye = in.Q.object.at;
   RayTriangle<Rational> meet = meetingOf(in);
   const ExactVec3 &normal = meet.perps.normal;
-  bool isScreen = meet.perps.denominator != 0 && screen.w > 0 && screen.h > 0;
+  bool isScreen = meet.perps.denominator != 0;
   bool isRectangle = meet.perps.uv == 0;
   // How deep the screen and X lie before the eye, along n, times |n|:
   Rational screenDepth = dot(ExactVec3(screen.corner - eye), normal);

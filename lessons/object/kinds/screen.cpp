@@ -36,7 +36,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
   const ScreenObject screen = as<ScreenObject>(given).object;
   const auto &[corner, u, v, w, h] = screen;
   std::vector<Mark> marks;
-  if (!isZero(cross(u, v)) && w > 0 && h > 0) { // its corner and its edges have names enough
+  if (!isZero(cross(u, v))) { // its corner and its edges have names enough
     drawStrips(given, corner, ExactVec3(u / w), v, w, marks);
     drawStrips(given, corner, ExactVec3(v / h), u, h, marks);
   }

@@ -6,7 +6,7 @@
 namespace halfspace {
 
 /// A screen by a corner and its edges from there, divided into w × h pixels: whole numbers from 1 to
-/// `mostPixels`.
+/// `mostPixels`. Its kind settles them so, and no scene takes others: what looks at screens relies on it.
 struct ScreenObject {
   static constexpr std::string_view kind = "screen";
   static constexpr int mostPixels = 64;

@@ -1,4 +1,5 @@
 // Each handle of each kind: where it is, what a drag of it moves, and what stays as it is.
+#include "lessons/scene/file/session_file.h"
 #include "tests/lessons/object/spelled_objects.h"
 
 #include <gtest/gtest.h>
@@ -160,6 +161,17 @@ TEST(Settle, TheNumbersOfAScreensPixels_AreWholeAndAtLeastOne) {
   EXPECT_EQ(settledWidth(0), 1);
   EXPECT_EQ(settledWidth(-5), 1);
   EXPECT_EQ(settledWidth(1920), 64) << "more of them could not be told apart";
+}
+
+TEST(Settle, AScreenWithoutPixels_GetsIntoNoScene) {
+  const Scene scene = spelledScene(spelledEntry("screen"));
+  Object without = *findObject(scene, "K");
+  without[3].x = 0;
+  EXPECT_EQ((*findObject(edited(scene, {ChangeObject{"K", without}}), "K"))[3].x, 1);
+  EXPECT_FALSE(apply(scene, AddEntry{1, {"M", without}}));
+  EXPECT_FALSE(withValue({"x", 0, scene}, "K.w=0"));
+  EXPECT_THROW(spelledScene("{name: K, screen: {P0: [1, 2, 3], u: [4, 0, 0], v: [0, 0, 3], w: 0, h: 3}}"),
+               std::invalid_argument);
 }
 
 TEST(Settle, AStepBelowZero_IsNone) {
