@@ -10,6 +10,16 @@
 
 namespace halfspace {
 
+/// No new coordinate is larger, either way.
+inline constexpr int largestShortNumber = 9;
+/// Of a direction that does not follow from others.
+inline constexpr int longestStep = 3;
+/// A triangle's sides are so many times a short vector.
+inline constexpr int smallestTriangle = 3;
+inline constexpr int largestTriangle = 4;
+/// No coordinate of a side is longer: their products of four are still to be calculated.
+inline constexpr int longestSide = 6;
+
 /// One roll in a statement, or several in braces: elsewhere C++ leaves their order to the compiler, and a
 /// seed would not give the same numbers everywhere.
 class Dice {

@@ -1,4 +1,4 @@
-// Whole points of planes, triangles and lines, for others to aim at.
+// Whole points of planes, triangles, lines and faces, for others to aim at.
 #pragma once
 
 #include "lessons/lesson/new_numbers/dice.h"
@@ -17,7 +17,7 @@ struct Net {
   ExactVec3 at{};
   std::vector<ExactVec3> steps;
   ExactVec3 normal{}; ///< of a line an arrow across it
-  int size = 0;       ///< of a triangle: so many steps are its sides; 0 for planes and lines
+  int size = 0;       ///< of a triangle or face: so many steps are its sides; 0 for planes, lines and screens
 
   [[nodiscard]] ExactVec3 after(const std::vector<int> &counts) const;
 };

@@ -1,16 +1,12 @@
 #include "lessons/lesson/new_numbers/renewal.h"
 
-#include "lessons/lesson/new_numbers/net.h"
-#include "lessons/object/corners.h"
+#include "lessons/lesson/new_numbers/faces.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/polygon.h"
 #include "lessons/object/kinds/ray.h"
-#include "lessons/object/kinds/screen.h"
 #include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/ufo.h"
 #include "lessons/object/kinds/vector.h"
-#include "lessons/object/solid.h"
 
 #include <algorithm>
 #include <functional>
@@ -25,20 +21,6 @@ constexpr int mostAttempts = 100;
 // What is left to chance.
 constexpr int freelyOnceIn = 6; ///< regardless of what is looked for
 constexpr int alongOnceIn = 6;
-
-/// Of a direction that does not follow from others.
-constexpr int longestStep = 3;
-/// A triangle's sides are so many times a short vector.
-constexpr int smallestTriangle = 3;
-constexpr int largestTriangle = 4;
-/// No coordinate of a side is longer: their products of four are still to be calculated.
-constexpr int longestSide = 6;
-
-ExactVec3 alongAxis(int axis, int length) {
-  ExactVec3 along{};
-  along[axis] = length;
-  return along;
-}
 
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
@@ -73,19 +55,18 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
-    else if (kindOf(object) == PolygonObject::kind || kindOf(object) == ScreenObject::kind ||
-             findSolidKind(kindOf(object)))
-      m_nets.push_back(m_polygon);
+    else if (m_face)
+      m_nets.push_back(*m_face);
     else if (const auto vector = objectAs<VectorObject>(object))
       m_drawnVectors.push_back(*vector);
   }
 
 private:
   void draw(Object &object) {
-    if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
-          drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
-          drawAs<SphereObject>(object) || drawAs<UfoObject>(object) || drawAs<PolygonObject>(object) ||
-          drawAs<ScreenObject>(object) || drawSolid(object)))
+    m_face = drawFace(object, m_dice);
+    if (!(m_face || drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) ||
+          drawAs<PointObject>(object) || drawAs<RayObject>(object) || drawAs<LineObject>(object) ||
+          drawAs<VectorObject>(object) || drawAs<SphereObject>(object) || drawAs<UfoObject>(object)))
       drawAny(object);
   }
 
@@ -197,68 +178,6 @@ private:
     if (m_dice.once(2))
       line.point = anyPointOf(other, m_dice);
     line.point += line.direction * Rational(m_dice.between(-1, 1));
-  }
-
-  /// With as many corners as before.
-  void draw(PolygonObject &polygon) {
-    const ExactVec3 first = m_dice.direction(1);
-    ExactVec3 second = first;
-    while (isZero(cross(first, second)))
-      second = m_dice.direction(1);
-    m_polygon = {m_dice.position(), {first, second}, cross(first, second), 3};
-    const WholeFace &corners = wholeFace(polygon.corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      polygon.corners[i] = m_polygon.after({corners[i].x, corners[i].y});
-  }
-
-  /// Square to the axes. Its pixels are two units large, so that their centres are whole points, unless there
-  /// are too many. Others aim at places around its middle, before it and behind it.
-  void draw(ScreenObject &screen) {
-    const int axis = m_dice.between(0, 2);
-    const auto arrow = [&](int turn, int length) { return alongAxis((axis + turn) % 3, length); };
-    const Rational most = std::max(screen.w, screen.h);
-    const Rational pixel = 2 * most < largestShortNumber ? Rational(2)
-                           : most <= largestShortNumber  ? Rational(1)
-                                                         : longestSide / most;
-    const ExactVec3 across = arrow(1, m_dice.sign()) * pixel;
-    const ExactVec3 down = arrow(2, m_dice.sign()) * pixel;
-    const int depth = m_dice.between(1, longestStep);
-    screen.u = across * screen.w;
-    screen.v = down * screen.h;
-    const ExactVec3 middle = m_dice.position();
-    screen.corner =
-        middle - across * floorOf(Rational(screen.w / 2)) - down * floorOf(Rational(screen.h / 2));
-    m_polygon = {middle, {across, down}, arrow(0, depth), 0};
-  }
-
-  /// Square to the axes as far as it can be: rays meet its other faces at short numbers too. A face of it is
-  /// looked for.
-  bool drawSolid(Object &solid) {
-    if (!findSolidKind(kindOf(solid)))
-      return false;
-    const int axis = m_dice.between(0, 2);
-    const auto arrow = [&](int turn, int length) { return alongAxis((axis + turn) % 3, length); };
-    const int size = m_dice.between(smallestTriangle, largestTriangle);
-    const ExactVec3 corner = m_dice.position();
-    solid[0] = corner;
-    if (kindOf(solid) == "box") {
-      for (std::size_t i = 1; i < solid.size(); ++i)
-        solid[i].x = m_dice.between(smallestTriangle, longestSide);
-      m_polygon = {corner, {arrow(1, 1), arrow(2, 1)}, arrow(0, 1), smallestTriangle};
-    } else if (kindOf(solid) == "tetrahedron") {
-      m_polygon = {corner, {arrow(1, m_dice.sign()), arrow(2, m_dice.sign())}, arrow(0, 1), size};
-      for (std::size_t i = 0; i < 2; ++i)
-        solid[i + 1] = corner + m_polygon.steps[i] * Rational(size);
-      solid[3] = corner + arrow(0, size * m_dice.sign());
-    } else {
-      m_polygon = {corner, {arrow(1, m_dice.sign()), arrow(2, m_dice.between(1, 2))}, arrow(0, 1), 3};
-      const std::vector<std::size_t> base = cornersOf(solid);
-      const WholeFace &corners = wholeFace(base.size());
-      for (std::size_t i = 0; i < base.size(); ++i)
-        solid[base[i]] = m_polygon.after({corners[i].x, corners[i].y});
-      solid[1] = arrow(0, m_dice.sign() * m_dice.between(smallestTriangle, longestSide));
-    }
-    return true;
   }
 
   /// Later ones start where the first does. Most have another length, so that it is seen by whose length is
@@ -373,7 +292,7 @@ private:
   std::ptrdiff_t m_vectors;
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
-  Net m_polygon; ///< of the last polygon, face of a solid or screen that was drawn
+  std::optional<Net> m_face; ///< of the object that was drawn last, where one is looked for
   std::vector<VectorObject> m_drawnVectors;
   std::optional<SphereObject> m_sphere; ///< the last
 };
@@ -400,8 +319,7 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
     return isLine(object) || kind == PlaneObject::kind || kind == TriangleObject::kind ||
-           kind == SphereObject::kind || kind == PolygonObject::kind || kind == ScreenObject::kind ||
-           findSolidKind(kind);
+           kind == SphereObject::kind || hasFace(kind);
   });
   std::stable_partition(objects.begin(), others, std::not_fn(isLine));
   for (Object *object : objects)

@@ -9,9 +9,6 @@
 
 namespace halfspace {
 
-/// No new coordinate is larger, either way.
-inline constexpr int largestShortNumber = 9;
-
 /// Gives the objects of these names whole and short numbers that they did not have; one keeps those that it
 /// has where there is no luck. Rays and points aim at planes, triangles, lines and faces, so that they meet
 /// them in whole points. `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
