@@ -180,14 +180,14 @@ void drawStep(Figure &figure, const Out &at) {
   if (isZero(at.step.projection))
     return;
   const Place start = place(at.Q);
-  figure.add(arrowOf(at.b, start, Role::Derived, Subject::Ray));
+  figure.add(arrowOf(at.b, start, Role::Derived, Subject::EdgeU)); // beside the ray in its own colour
   if (!isZero(at.step.rejection))
     figure.add(SegmentMark{
-        {at.b->mark + "/across", Role::Helper, Subject::Ray}, start + place(at.b), start + place(at.r)});
+        {at.b->mark + "/across", Role::Helper, Subject::EdgeU}, start + place(at.b), start + place(at.r)});
 }
 
 /// The unit normal is drawn this long in every picture.
-constexpr double drawnNormalLength = 1;
+constexpr double drawnNormalLength = 2.5;
 
 Figure draw(const Out &at) {
   Figure figure;
