@@ -161,7 +161,7 @@ WorkingLine directionLine(const Out &at) {
 std::string passingWords(const Out &at) {
   return at.isThrough
              ? words("This is {X} itself: {X} is seen exactly in the centre of the pixel.", at.letters)
-             : words("Here the pixel's ray passes {X}.", at.letters);
+             : words("Here the pixel's ray passes by {X}.", at.letters);
 }
 
 LineTable<Out> lines() {

@@ -141,7 +141,7 @@ const std::vector<Solution> &solutions() {
       {"camera", "Drag $X$ beside", {"X", PointObject{{14, 0, 5}}}},
       {"clipping", "Drag $C$ through", {"C", PointObject{{1, 11, 0}}}},
       {"clipping", "Move $B$ until", {"B", PointObject{{5, 4, 1}}}},
-      {"clipping", "Stretch $\\vec n$", {"E", PlaneObject{{8, 4, 4}, {0, 2, 4}}}},
+      {"clipping", "Make $\\vec n$ longer", {"E", PlaneObject{{8, 4, 4}, {0, 4, 8}}}},
       {"clipping", "Turn $\\vec n$ to", {"E", PlaneObject{{8, 4, 4}, {0, -1, -2}}}},
       {"clipping", "Move $A$ until", {"A", PointObject{{2, 4, 3}}}},
       {"clipping", "Slide the plane along", {"E", PlaneObject{{8, 6, 7}, {0, 1, 2}}}},

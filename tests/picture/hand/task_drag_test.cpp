@@ -112,7 +112,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"camera", "case = level", {"X"}},
       {"clipping", "corners = 3 and f_C < 0", {"C"}},
       {"clipping", "t1 = 1/2", {"B"}},
-      {"clipping", "nn = 20", {"E.n"}},
+      {"clipping", "nn > 49", {"E.n"}},
       {"clipping", "edge1 = enters", {"E.n"}},
       {"clipping", "edge1 = outside and case = cut", {"A"}},
       {"clipping", "corners = 3 and case = cut", {"E.offset"}},

@@ -101,7 +101,7 @@ Claims camera_ray() {
       {"It takes this many steps to get to the plane through {X} that is parallel to the screen.", isSeen},
       {"This is {X} itself: {X} is seen exactly in the centre of the pixel.",
        [](const Camera &at) { return at.isSeen() && isCentred(at); }},
-      {"Here the pixel's ray passes {X}.", [](const Camera &at) { return at.isSeen() && !isCentred(at); }},
+      {"Here the pixel's ray passes by {X}.", [](const Camera &at) { return at.isSeen() && !isCentred(at); }},
       {"How wide a piece of the plane through {X}, parallel to the screen, the pixel shows.", isSeen},
   });
 }
