@@ -279,7 +279,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   if (isZero(normal) || isZero(vectorOf(at.r)))
     return all;
   addRaysAtPlane(at.in.L.object, at.in.G.object,
-                 {words("{Q} would lie in the plane, and both triangles would start there.", at.letters),
+                 {words("{Q} would lie in the plane, and the ray would hit it at its own start.", at.letters),
                   words("The ray would lie in the plane."),
                   words("The ray would run parallel to the plane.")},
                  all);
