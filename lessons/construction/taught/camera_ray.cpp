@@ -95,8 +95,8 @@ CaseWords tell(const Out &at) {
 
 std::string shareWords(const Out &at) {
   const Rational &k = at.meet.plane.t;
-  return k < 0    ? words("Negative: from {Q}, the screen and {X} lie on opposite sides.", at.letters)
-         : k < 1  ? words("This part of the way from {Q} to {X} leads to the screen.", at.letters)
+  return k < 0   ? words("Negative: from {Q}, the screen and {X} lie on opposite sides.", at.letters)
+         : k < 1 ? words("This part of the way from {Q} to {X} leads to the plane of the screen.", at.letters)
          : k == 1 ? words("1: {X} lies in the plane of the screen.", at.letters)
                   : words("Larger than 1: {X} is between the eye and the plane of the screen.", at.letters);
 }

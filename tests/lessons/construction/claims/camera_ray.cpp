@@ -80,7 +80,7 @@ Claims camera_ray() {
       {"Perpendicular to the screen.", isScreen},
       {"Negative: from {Q}, the screen and {X} lie on opposite sides.",
        [](const Camera &at) { return at.isBehind(); }},
-      {"This part of the way from {Q} to {X} leads to the screen.",
+      {"This part of the way from {Q} to {X} leads to the plane of the screen.",
        [](const Camera &at) { return at.isAhead() && abs(at.toX) > abs(at.toScreen); }},
       {"1: {X} lies in the plane of the screen.",
        [](const Camera &at) { return at.isCamera() && at.toX == at.toScreen; }},
