@@ -122,13 +122,13 @@ Figure draw(const Out &at) {
   return figure;
 }
 
-/// What the plane would be that runs parallel to an axis.
+/// What the plane would be whose normal makes a right angle with an axis: it is parallel to that, or has it.
 SpecialCase parallelToAxis(const In &in, int axis) {
   PlaneObject tilted = in.E.object;
   tilted.normal[axis] = 0;
-  const std::array<std::string, 3> sentences{words("The plane would run parallel to the x-axis."),
-                                             words("The plane would run parallel to the y-axis."),
-                                             words("The plane would run parallel to the z-axis.")};
+  const std::array<std::string, 3> sentences{words("The normal would make a right angle with the x-axis."),
+                                             words("The normal would make a right angle with the y-axis."),
+                                             words("The normal would make a right angle with the z-axis.")};
   return {is("coefficients." + std::to_string(axis), "0"), sentences.at(static_cast<std::size_t>(axis)), "E",
           tilted};
 }
