@@ -136,7 +136,7 @@ const std::vector<Solution> &solutions() {
       {"camera", "Drag $X$ until the ray", {"X", PointObject{{16, 16, 3}}}},
       {"camera", "Drag $X$ until $k$", {"X", PointObject{{6, 4, 5}}}},
       {"camera", "Drag $X$ until its image", {"X", PointObject{{4, 16, 5}}}},
-      {"camera", "Drag $X$ nearer", {"X", PointObject{{9, 8, 5}}}},
+      {"camera", "Drag $X$ until $k = 1/2$", {"X", PointObject{{9, 8, 5}}}},
       {"camera", "Drag $X$ behind", {"X", PointObject{{14, -4, 5}}}},
       {"camera", "Drag $X$ beside", {"X", PointObject{{14, 0, 5}}}},
       {"clipping", "Drag $C$ through", {"C", PointObject{{1, 11, 0}}}},

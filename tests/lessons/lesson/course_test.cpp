@@ -170,7 +170,7 @@ const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
       {"misprints", {"O", "R"}},                   // the origin; a printed letter
       {"plane-implicit", {"a", "b", "d", "k"}},    // the numbers of any equation; any factor but 0
       {"plane-plane", {"g"}},                      // the line that the picture shows
-      {"pluecker-lines", {"G", "k", "α"}},         // the nearest point of h; any factor; an angle
+      {"pluecker-lines", {"G", "k", "α", "μ"}},    // the nearest point of h; steps; an angle; a factor
       {"pluecker-planes", {"S"}},                  // the common point
       {"point-line", {"F"}},                       // the foot
       {"ray-plane-picture", {"O"}},                // the origin

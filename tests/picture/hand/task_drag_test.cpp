@@ -157,7 +157,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-box-slabs", "case = hit and x.way = within", {"L.Q"}},
       {"barycentric", "case = outside and barycentric.0 < 0", {"Q"}},
       {"barycentric", "barycentric.0 = 1/3 and barycentric.1 = 1/3", {"Q"}},
-      {"barycentric", "area < 30", {"T.P0", "T.P1", "T.P2"}},
+      {"barycentric", "area < 30 and area > 0", {"T.P0", "T.P1", "T.P2"}},
       {"barycentric", "barycentric.0 = 1/2", {"Q"}},
       {"barycentric", "barycentric.0 = 1/2 and case = edge", {"Q"}},
       {"barycentric", "case = vertex", {"Q"}},
