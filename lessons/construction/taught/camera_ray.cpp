@@ -88,7 +88,7 @@ CaseWords tell(const Out &at) {
                             {{"k", equation(at.k)}})};
   if (!at.isSeen)
     return {"beside",
-            words("The line of sight passes beside the screen: {X} is not in the image.", at.letters)};
+            words("The line of sight passes beside all pixels: {X} is not in the image.", at.letters)};
   return {"seen", words("{X} is seen in the pixel with {i} and {j}.", at.letters,
                         {{"i", equation(at.i)}, {"j", equation(at.j)}})};
 }

@@ -74,7 +74,7 @@ Claims camera_ray() {
        [](const Camera &at) { return at.isCamera() && at.toX == 0 && at.X != at.Q; }},
       {"{k} is negative: {X} is behind the eye, and is not seen.",
        [](const Camera &at) { return at.isBehind(); }},
-      {"The line of sight passes beside the screen: {X} is not in the image.",
+      {"The line of sight passes beside all pixels: {X} is not in the image.",
        [](const Camera &at) { return at.isAhead() && !at.isSeen(); }},
       {"{X} is seen in the pixel with {i} and {j}.", isSeen},
       {"Perpendicular to the screen.", isScreen},
