@@ -108,7 +108,7 @@ void WorkingPractice::refresh() {
 void WorkingPractice::showScore() {
   const LinePractice::Score score = m_practice.score();
   m_score->setText(
-      tr("First try %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
+      tr("Right %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
   m_score->setVisible(score.tried > 0 && !m_practice.isHidden());
   keepRoom(*m_score, m_practice.fading() != Fading::None); // the first answer moves nothing
 }

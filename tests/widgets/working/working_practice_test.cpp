@@ -290,10 +290,10 @@ private slots:
     answer(practice.fields().first(), "abc"); // no answer
     QCOMPARE(practice.score(), QString());
     answer(practice.fields().first(), "30");
-    QCOMPARE(practice.score(), QString("First try 1/1"));
+    QCOMPARE(practice.score(), QString("Right 1/1"));
     answer(practice.fields().first(), "30"); // wrong
     answer(practice.fields().first(), "10");
-    QCOMPARE(practice.score(), QString("First try 1/2"));
+    QCOMPARE(practice.score(), QString("Right 1/2"));
     practice.choose("Last blank");
     QCOMPARE(practice.score(), QString());
   }
@@ -303,22 +303,22 @@ private slots:
     practice.choose("All blank");
     answer(practice.fields().first(), "30");
     QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
-    QCOMPARE(practice.score(), QString("First try 1/2"));
+    QCOMPARE(practice.score(), QString("Right 1/2"));
     practice.setStep(1, Fading::All);
     practice.setWorking(someWorking());
     QCOMPARE(practice.score(), QString());
     practice.setStep(0);
     practice.setWorking(someWorking());
-    QCOMPARE(practice.score(), QString("First try 1/2"));
+    QCOMPARE(practice.score(), QString("Right 1/2"));
     practice.setWorking(someWorking(), true);
     QCOMPARE(practice.score(), QString()); // a question goes before
     practice.setWorking(someWorking(60));
-    QCOMPARE(practice.score(), QString("First try 1/2"));
+    QCOMPARE(practice.score(), QString("Right 1/2"));
     answer(practice.fields().first(), "60");
-    QCOMPARE(practice.score(), QString("First try 2/3"));
+    QCOMPARE(practice.score(), QString("Right 2/3"));
     QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
     answer(practice.fields().first(), "60");
-    QCOMPARE(practice.score(), QString("First try 3/4"));
+    QCOMPARE(practice.score(), QString("Right 3/4"));
   }
 
   void choiceHoldsInTheStepsOfItsLesson_andInNoOther() {
