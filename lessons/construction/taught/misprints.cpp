@@ -255,8 +255,11 @@ WorkingLine parameterLine(const Out &at) {
 }
 
 std::string facingWords(const Out &at) {
-  return facingHolds(at) ? words("Negative: n looks towards the ray. The note takes n, and here it is right.")
-                         : words("Positive: n looks away from the ray. The note takes n even so. Refuted.");
+  return facingHolds(at)
+             ? words("Negative: the line of the ray comes from the side to which n points. The note takes n, "
+                     "and here it is right.")
+             : words("Positive: the line of the ray goes to the side to which n points. The note takes n "
+                     "even so. Refuted.");
 }
 
 WorkingLine facingLine(const Out &at) {

@@ -109,9 +109,10 @@ Claims misprints() {
       {"Not negative: the ray gets there. Here it does no harm that the note does not look at it.", hits},
       {"The line passes outside the triangle anyway. Here the note is right.", misses},
       {"Where the line of the ray goes through the plane.", crosses},
-      {"Negative: n looks towards the ray. The note takes n, and here it is right.",
+      {"Negative: the line of the ray comes from the side to which n points. The note takes n, and here it "
+       "is right.",
        [](const PrintedLines &at) { return at.crosses() && at.rn < 0; }},
-      {"Positive: n looks away from the ray. The note takes n even so. Refuted.",
+      {"Positive: the line of the ray goes to the side to which n points. The note takes n even so. Refuted.",
        [](const PrintedLines &at) { return at.isFacingRefuted(); }},
       {"Right: n itself.", [](const PrintedLines &at) { return at.crosses() && at.rn < 0; }},
       {"Right: the opposite of n.", [](const PrintedLines &at) { return at.isFacingRefuted(); }},
