@@ -143,7 +143,7 @@ const std::vector<Solution> &solutions() {
       {"clipping", "Move $B$ until", {"B", PointObject{{5, 4, 1}}}},
       {"clipping", "Make $\\vec n$ longer", {"E", PlaneObject{{8, 4, 4}, {0, 4, 8}}}},
       {"clipping", "Turn $\\vec n$ to", {"E", PlaneObject{{8, 4, 4}, {0, -1, -2}}}},
-      {"clipping", "Move $A$ until", {"A", PointObject{{2, 4, 3}}}},
+      {"clipping", "Move $A$, and $B$ too", {"A", PointObject{{2, 4, 3}}}},
       {"clipping", "Slide the plane along", {"E", PlaneObject{{8, 6, 7}, {0, 1, 2}}}},
       {"clipping", "Put $B$ exactly", {"B", PointObject{{5, 10, 1}}}},
       {"clipping", "Slide the plane until only", {"E", PlaneObject{{8, 7, 7}, {0, 1, 2}}}},
