@@ -37,7 +37,7 @@ struct TypedAnswer {
 /// bytes. Where the comma is the decimal mark, 1,5 is 3/2, and (1, 2, 3) and (1,2,3) are lists still.
 ///
 /// Where so many numbers are asked for, more than one, as many that have nothing but spaces between them are
-/// a list too: 1 -2 3 is (1, -2, 3), and not 1 - 2·3.
+/// a list too: 1 -2 -3 is (1, -2, -3) then, and not their sum.
 [[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark = '.',
                                                     std::size_t numbersAskedFor = 1);
 inline constexpr std::size_t longestAnswer = 120;

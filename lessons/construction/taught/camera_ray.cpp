@@ -199,10 +199,8 @@ std::vector<ExactVec3> cornersOf(const ScreenObject &screen, const Rational &col
 void drawView(Figure &figure, const Out &at) {
   const std::vector<ExactVec3> corners = cornersOf(at.screen, 0, 0, at.screen.w, at.screen.h);
   for (std::size_t i = 0; i < corners.size(); ++i)
-    figure.add(
-        SegmentMark{{at.mark("view") + (i > 0 ? "/" + std::to_string(i) : ""), Role::Ghost, Subject::Neutral},
-                    place(at.Q),
-                    place(corners[i])});
+    figure.add(SegmentMark{
+        {partOf(at.mark("view"), i), Role::Ghost, Subject::Neutral}, place(at.Q), place(corners[i])});
 }
 
 /// The pixel, its ray, and what it shows in the plane through X that is parallel to the screen.
@@ -246,10 +244,13 @@ void drawImage(Figure &figure, const Out &at) {
                            corner + place(at.u) * toDouble(at.meet.s), image});
 }
 
+/// The normal may be very long: it is drawn so long, because only its direction matters.
+constexpr double drawnNormalLength = 2;
+
 Figure draw(const Out &at) {
   Figure figure;
   if (at.isScreen)
-    addDirection(figure, at.n, place(at.P0), 2, Role::Derived, Subject::Plane);
+    addDirection(figure, at.n, place(at.P0), drawnNormalLength, Role::Derived, Subject::Plane);
   if (at.isCamera)
     drawView(figure, at);
   if (at.hasImage)
