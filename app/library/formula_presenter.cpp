@@ -10,8 +10,8 @@ FormulaPresenter::FormulaPresenter(SessionModel &model, const WindowLook &look, 
                                    QWidget &window)
     : QObject(&window), m_model(model), m_look(look), m_typesetter(typesetter), m_window(window) {
   connect(&model, &SessionModel::lessonChanged, this, [this] {
-    if (m_dialog)
-      m_dialog->setChapters(formulasOf(m_model.library())); // which may be another one
+    if (m_dialog && m_dialog->isVisible())
+      fill();
   });
   connect(&look, &WindowLook::changed, this, [this] {
     if (m_dialog)
@@ -22,6 +22,7 @@ FormulaPresenter::FormulaPresenter(SessionModel &model, const WindowLook &look, 
 void FormulaPresenter::show() {
   if (!m_dialog)
     makeDialog();
+  fill();
   m_dialog->open(QString::fromStdString(m_model.lesson().chapter));
 }
 
@@ -32,7 +33,8 @@ void FormulaPresenter::makeDialog() {
     m_window.activateWindow();
   });
   m_dialog->setTheme(m_look.panelTheme());
-  m_dialog->setChapters(formulasOf(m_model.library()));
 }
+
+void FormulaPresenter::fill() { m_dialog->setChapters(formulasOf(m_model.library())); }
 
 } // namespace halfspace

@@ -23,6 +23,8 @@ public:
 private:
   /// Made when it is opened for the first time.
   void makeDialog();
+  /// With the library as it is, which may be another one.
+  void fill();
 
   SessionModel &m_model;
   const WindowLook &m_look;
