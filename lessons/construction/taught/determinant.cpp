@@ -3,6 +3,7 @@
 #include "geometry/project_vector.h"
 #include "geometry/three_vectors.h"
 #include "lessons/construction/parts/expansion.h"
+#include "lessons/construction/parts/spanned_box.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/vector.h"
 
@@ -218,25 +219,6 @@ LineTable<Out> lines() {
           {"rule", always, ruleLine}};
 }
 
-/// A parallelogram; nothing where it has no area.
-void addFace(Figure &figure, const MarkBase &base, const ExactVec3 &from, const ExactVec3 &first,
-             const ExactVec3 &second) {
-  if (!isZero(cross(first, second)))
-    figure.add(PolygonMark{base,
-                           {place(from), place(ExactVec3(from + first)),
-                            place(ExactVec3(from + first + second)), place(ExactVec3(from + second))}});
-}
-
-void drawBox(Figure &figure, const Out &at) {
-  const std::array sides{at.in.u.object.vector, at.in.v.object.vector, at.in.w.object.vector};
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    for (const ExactVec3 &from : {at.start, ExactVec3(at.start + sides.at((i + 2) % 3))}) {
-      const std::size_t faces = figure.marks.size();
-      addFace(figure, {partOf(at.mark("box"), faces), Role::Given, Subject::Neutral}, from, sides.at(i),
-              sides.at((i + 1) % 3));
-    }
-}
-
 /// From the tip of w straight down to the plane of the base.
 void drawHeight(Figure &figure, const Out &at) {
   const ExactVec3 along = at.three.normal * Rational(at.det / at.baseSquared);
@@ -259,11 +241,11 @@ Figure draw(const Out &at) {
   Figure figure;
   const Place from = place(at.start);
   const auto &[u, v, w] = std::tie(at.in.u.object.vector, at.in.v.object.vector, at.in.w.object.vector);
-  drawBox(figure, at);
+  addSpannedBox(figure, {at.mark("box"), Role::Given, Subject::Neutral}, at.start, {u, v, w});
   addDirection(figure, at.n, from, drawnProductLength, Role::Derived, Subject::Plane);
-  addFace(figure, {at.n->mark + "/base", Role::Helper, Subject::Plane}, at.start, u, v);
+  addParallelogram(figure, {at.n->mark + "/base", Role::Helper, Subject::Plane}, at.start, u, v);
   addDirection(figure, at.p, from, drawnProductLength, Role::Derived, Subject::Plane);
-  addFace(figure, {at.p->mark + "/face", Role::Helper, Subject::Plane}, at.start, v, w);
+  addParallelogram(figure, {at.p->mark + "/face", Role::Helper, Subject::Plane}, at.start, v, w);
   addDirection(figure, at.q, from, drawnProductLength, Role::Result, Subject::Measure);
   if (!at.hasVolume)
     return figure;
