@@ -6,6 +6,7 @@
 #include "lessons/construction/parts/expansion.h"
 #include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
+#include "lessons/construction/parts/spanned_box.h"
 #include "lessons/construction/taught.h"
 
 namespace halfspace {
@@ -31,7 +32,16 @@ struct Out : RayAtTriangle {
   Term sigma = ownName(letter("σ"), meet.sigma);
   Term tau = ownName(letter("τ"), meet.tau);
   Term lambda = ownName(letter("λ"), meet.t);
+  /// How far a and c reach along p: how high the boxes are on the face of b and r.
+  Term ha = drawnName(letter("h", "a"), heightOf(a));
+  Term hc = drawnName(letter("h", "c"), heightOf(c));
   Term I = madeName("I", ExactVec3(ray.origin + ray.direction * meet.t));
+
+private:
+  [[nodiscard]] Surd heightOf(const Term &vector) const {
+    const ExactVec3 along = vectorOf(p);
+    return crosses ? overRoot(dot(vectorOf(vector), along), dot(along, along)) : Surd();
+  }
 };
 
 CaseWords tell(const Out &at) {
@@ -142,6 +152,35 @@ WorkingLine placeLine(const Out &at) {
                                 at.letters));
 }
 
+std::string heightWords(const Out &at, const Term &vector) {
+  const std::string name = plainText(vector);
+  const Rational along = dot(vectorOf(vector), vectorOf(at.p));
+  if (along > 0)
+    return words("How far {vector} reaches along p: the height of its box on the face of b and {r}.",
+                 at.letters, {{"vector", name}});
+  if (along < 0)
+    return words("How far {vector} reaches along p. Negative: its box is on the other side of the face of b "
+                 "and {r}.",
+                 at.letters, {{"vector", name}});
+  return words("0: {vector} lies in the plane of b and {r}, and its box is flat.", at.letters,
+               {{"vector", name}});
+}
+
+WorkingLine heightLine(const Out &at, const Term &height, const Term &vector) {
+  const Term product = dot(vector, at.p);
+  return asked(withNumbers(height == product / norm(at.p)), heightWords(at, vector),
+               {{product, words("{answer} is not divided by |p| yet.")},
+                {product / dot(at.p, at.p), words("{answer} is divided by p·p: divide by its root, |p|.")}});
+}
+
+WorkingLine boxesLine(const Out &at) {
+  return asked(
+      withNumbers(at.sigma == at.hc / at.ha),
+      words("Both boxes stand on the face of b and {r}. So their volumes compare as their heights do.",
+            at.letters),
+      {{at.hc, words("{answer} is the height of {Q}: divide it by that of {P1}.", at.letters)}});
+}
+
 std::string parameterWords(const Out &at) {
   return at.meet.t < 0
              ? words("Negative: the line gets there before the ray's start {Q}, so the ray does not hit.",
@@ -173,6 +212,9 @@ LineTable<Out> lines() {
            [](const Out &at) {
              return shareLine(at, at.sigma, at.D1, at.D2, words("The weight of {P1}.", at.letters));
            }},
+          {"height-a", &Out::crosses, [](const Out &at) { return heightLine(at, at.ha, at.a); }},
+          {"height-c", &Out::crosses, [](const Out &at) { return heightLine(at, at.hc, at.c); }},
+          {"boxes", &Out::crosses, boxesLine},
           {"tau", &Out::crosses,
            [](const Out &at) {
              return shareLine(at, at.tau, at.D2, at.D1, words("The weight of {P2}.", at.letters));
@@ -187,6 +229,22 @@ LineTable<Out> lines() {
 /// The cross products are drawn this long in every picture: only their directions matter.
 constexpr double drawnProductLength = 2.5;
 
+/// The box of an arrow that leads to P0, of b and of r, on the face that b and r have at P0; and its height
+/// there, from where the arrow starts.
+void drawBox(Figure &figure, const Out &at, const Term &height, const Term &vector, Subject subject) {
+  const ExactVec3 corner = vectorOf(at.P0);
+  const ExactVec3 arrow = vectorOf(vector);
+  const ExactVec3 p = vectorOf(at.p);
+  addSpannedBox(figure, {height->mark + "/box", Role::Derived, subject}, corner,
+                {ExactVec3(-arrow), ExactVec3(-vectorOf(at.b)), at.ray.direction});
+  const ExactVec3 up = p * Rational(dot(arrow, p) / dot(p, p));
+  if (isZero(up))
+    return;
+  const ExactVec3 start = corner - arrow;
+  const ExactVec3 foot = start + up;
+  figure.add(SegmentMark{drawn(height, Role::Result, subject), place(start), place(foot)});
+}
+
 Figure draw(const Out &at) {
   Figure figure;
   figure.add(arrowOf(at.a, place(at.P1), Role::Given, Subject::EdgeU));
@@ -194,8 +252,11 @@ Figure draw(const Out &at) {
   figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Point));
   addDirection(figure, at.p, place(at.P2), drawnProductLength, Role::Derived, Subject::Measure);
   addDirection(figure, at.q, place(at.P1), drawnProductLength, Role::Derived, Subject::Plane);
-  if (at.crosses)
-    addMeeting(figure, at.in.L, at.I, at.meet.t >= 0, at.meet.which == RayTriangleCase::Hit);
+  if (!at.crosses)
+    return figure;
+  drawBox(figure, at, at.ha, at.a, Subject::EdgeU);
+  drawBox(figure, at, at.hc, at.c, Subject::Point);
+  addMeeting(figure, at.in.L, at.I, at.meet.t >= 0, at.meet.which == RayTriangleCase::Hit);
   return figure;
 }
 
@@ -206,14 +267,14 @@ Construction ray_triangle_cramer() {
       {.id = "ray-triangle-cramer",
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
-       .letters = {"a", "b", "c", "p", "q", "D", "D1", "D2", "D3", "σ", "τ", "λ"},
+       .letters = {"a", "b", "c", "p", "q", "D", "D1", "D2", "D3", "ha", "hc", "σ", "τ", "λ"},
        .cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
                  "collinear"},
        .values = joined<ValueRow<Out>>(
            {crossingRows<Out>([](const Out &at) { return at.meet.location; }),
             {barycentricRow<Out>(&Out::crosses, &Out::sigma, &Out::tau), cramerRow<Out>()}}),
        .lines = lines(),
-       .marks = {"a", "b", "c", "p", "q", "I"},
+       .marks = {"a", "b", "c", "p", "q", "ha", "hc", "I"},
        .tell = tell,
        .draw = draw,
        .nearby = rayTriangleNearby});

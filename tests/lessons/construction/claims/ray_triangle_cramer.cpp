@@ -11,6 +11,14 @@ Rational lastDeterminant(const RayAtTriangle &at) {
   return determinant(ExactVec3(-at.u), ExactVec3(-at.v), ExactVec3(at.corners[0] - at.L.origin));
 }
 
+/// |a b r| or |c b r|, for the arrow that the sentence names: it has the sign of that arrow's height on the
+/// face of b and r.
+Rational heightNamed(const RayAtTriangle &at, const Said &said) {
+  const ExactVec3 first =
+      said.at("vector") == "a" ? ExactVec3(-at.u) : ExactVec3(at.corners[0] - at.L.origin);
+  return determinant(first, ExactVec3(-at.v), at.L.direction);
+}
+
 } // namespace
 
 namespace claims {
@@ -48,6 +56,13 @@ Claims ray_triangle_cramer() {
        [](const RayAtTriangle &at) { return at.crosses() && at.lambda() < 0; }},
       {"Not negative: the ray itself gets there.",
        [](const RayAtTriangle &at) { return at.crosses() && at.lambda() >= 0; }},
+      {"How far {vector} reaches along p: the height of its box on the face of b and {r}.",
+       [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) > 0; }},
+      {"How far {vector} reaches along p. Negative: its box is on the other side of the face of b and {r}.",
+       [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) < 0; }},
+      {"0: {vector} lies in the plane of b and {r}, and its box is flat.",
+       [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) == 0; }},
+      {"Both boxes stand on the face of b and {r}. So their volumes compare as their heights do.", crosses},
       {"Where the line of the ray meets the triangle's plane.", crosses},
   });
   return together(

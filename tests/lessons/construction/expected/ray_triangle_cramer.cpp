@@ -102,6 +102,11 @@ Recomputed recompute(Objects objects) {
     expected.caseName = T.p0 == T.p1 || T.p1 == T.p2 || T.p2 == T.p0 ? "coincident" : "collinear";
   } else if (determinants[0] != 0) {
     addMeeting(meetingOf(T, L), expected);
+    const ExactVec3 p = perpendicular(b, r);
+    expected.names["h_a"] = quantityOverRoot(determinants[0], product(p, p));
+    expected.names["h_c"] = quantityOverRoot(determinants[1], product(p, p));
+    if (determinants[1] == 0)
+      expected.vanished.insert("it.hc");
   } else {
     expected.caseName = vanishes(r) ? "zero-direction" : determinants[3] == 0 ? "in-plane" : "parallel";
   }
