@@ -11,13 +11,12 @@ ExactVec3 axisVector(int axis) {
   return vector;
 }
 
-/// A vector that is perpendicular to one that is not zero.
+} // namespace
+
 ExactVec3 anyPerpendicular(const ExactVec3 &vector) {
   const ExactVec3 first = cross(vector, axisVector(0));
   return isZero(first) ? cross(vector, axisVector(1)) : first;
 }
-
-} // namespace
 
 Flat Flat::point(const ExactVec3 &at) {
   Flat flat;

@@ -5,6 +5,9 @@
 
 namespace halfspace {
 
+/// A vector that is perpendicular to one that is not zero.
+[[nodiscard]] ExactVec3 anyPerpendicular(const ExactVec3 &vector);
+
 /// A flat of space: a point, a line, a plane, or all of it. Kept as equations normal·x = value whose normals
 /// are perpendicular to each other, so that the nearest place is found one equation at a time.
 class Flat {

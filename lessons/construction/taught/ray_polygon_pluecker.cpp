@@ -330,6 +330,31 @@ std::vector<SpecialCase> nearby(const Out &at) {
   return all;
 }
 
+/// The one edge whose product is the largest without its sign; none where several are.
+std::optional<std::size_t> largestEdge(const Out &at) {
+  std::vector<std::size_t> edges(at.meet.products.size());
+  std::iota(edges.begin(), edges.end(), 0);
+  const auto size = [&](std::size_t edge) { return abs(at.meet.products[edge]); };
+  std::ranges::sort(edges, std::greater(), size);
+  return size(edges[0]) == size(edges[1]) ? std::nullopt : std::optional(edges[0]);
+}
+
+ValueTable<Out> values() {
+  return joined<ValueRow<Out>>(
+      {{{named::list("products", mostCorners), always,
+         [](const Out &at) { return list(productsOf(at.edges)); }},
+        {named::number("sum"), always, &Out::S},
+        signsRow<Out>([](const Out &at) { return signsOf(at.meet.products); }),
+        {named::index("largest_edge"), [](const Out &at) { return largestEdge(at).has_value(); },
+         [](const Out &at) { return Value(static_cast<int>(*largestEdge(at))); }}},
+       placeRows<Out>(&Out::crosses, [](const Out &at) { return at.meet.location; }),
+       {{named::number("t"), &Out::crosses, &Out::t},
+        {named::vector("point"), &Out::crosses, &Out::I},
+        {named::list("barycentric", 3), &Out::hasWeights, [](const Out &at) {
+           return list({at.rho, at.sigma, at.tau});
+         }}}});
+}
+
 } // namespace
 
 Construction ray_polygon_pluecker() {
@@ -342,24 +367,7 @@ Construction ray_polygon_pluecker() {
                                                                    numbered("p", mostCorners)}),
                                                 .cases = {"hit", "behind", "miss", "parallel", "in-plane",
                                                           "zero-direction", "not-planar", "not-convex"},
-                                                .values = joined<ValueRow<Out>>(
-                                                    {{{named::list("products", mostCorners), always,
-                                                       [](const Out &at) {
-                                                         return list(productsOf(at.edges));
-                                                       }},
-                                                      {named::number("sum"), always, &Out::S},
-                                                      signsRow<Out>([](const Out &at) {
-                                                        return signsOf(at.meet.products);
-                                                      })},
-                                                     placeRows<Out>(
-                                                         &Out::crosses,
-                                                         [](const Out &at) { return at.meet.location; }),
-                                                     {{named::number("t"), &Out::crosses, &Out::t},
-                                                      {named::vector("point"), &Out::crosses, &Out::I},
-                                                      {named::list("barycentric", 3), &Out::hasWeights,
-                                                       [](const Out &at) {
-                                                         return list({at.rho, at.sigma, at.tau});
-                                                       }}}}),
+                                                .values = values(),
                                                 .lines = lines(),
                                                 .marks = joined({numbered("p", mostCorners), {"n", "I"}}),
                                                 .tell = tell,

@@ -3,6 +3,7 @@
 #include "geometry/point_plane.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
+#include "lessons/object/flat.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/term/angle.h"
 
@@ -28,12 +29,16 @@ struct Out : Computed<In>, PlaneTerms {
   bool hasPlane = which != PointPlaneCase::ZeroNormal;
   ExactVec3 way = in.Q.object.at - in.E.object.point;
   bool hasAngle = hasPlane && !isZero(way);
+  /// How many times n leads from the plane to the height of the point.
+  Rational steps = hasPlane ? Rational(measured.f / measured.normalSquared) : Rational(0);
 
   Term Q = termOf(in.Q);
   Term f = applied(own(letter("f")), Q, measured.f);
   Term w = drawnName(vectorLetter("w"), way).standingFor(Q - P0);
   Term dist = ownName(word("dist"), measured.signedDistance).marked(mark("distance"));
   Term F = madeName("F", measured.foot);
+  /// As high as Q on the gauge, which stands on P0 along n.
+  Term M = drawnName(letter("M"), ExactVec3(in.E.object.point + in.E.object.normal * steps));
   Term theta = ownName(letter("θ"), std::nullopt).marked(mark("theta"));
   Term cosine = applied(word("cos"), theta, hasAngle ? cosineOf(measured, way) : Surd());
 };
@@ -108,6 +113,26 @@ WorkingLine valueLine(const Out &at) {
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }
 
+/// Whether one step along the x-axis leads the point nearer to the plane.
+ToldValue alongXValue(const Out &at) {
+  const Rational before = abs(at.measured.f);
+  const Rational after = abs(Rational(at.measured.f + at.in.E.object.normal.x));
+  return {words("distance after one step along x"), after < before   ? Word{"nearer", words("smaller")}
+                                                    : after > before ? Word{"farther", words("larger")}
+                                                                     : Word{"same", words("the same")}};
+}
+
+WorkingLine gaugeLine(const Out &at) {
+  return asked(withNumbers(at.M == at.P0 + at.f / dot(at.n, at.n) * at.n),
+               words("Straight across from {Q}, on the line through {P0} along {n}.", at.letters));
+}
+
+/// f of the mark on the gauge.
+WorkingLine levelLine(const Out &at) {
+  return asked(withNumbers(dot(at.n, at.M - at.P0)),
+               words("f of M: the same as f of {Q}, because M is as high.", at.letters));
+}
+
 WorkingLine lengthLine(const Out &at) {
   return asked(withProducts(norm(at.n) == root(dot(at.n, at.n))), words("The length of the normal."),
                {{dot(at.n, at.n), words("{answer} is {n}·{n}: its root is still to be taken.", at.letters)}});
@@ -123,6 +148,44 @@ void drawAngle(Figure &figure, const Out &at, const Place &corner, const Place &
     figure.add(ArcMark{std::move(angle), corner, normal, way});
 }
 
+/// The gauge has a line at 0, n·n, 2 n·n …, or only at each second, fifth, tenth … of them: not more than
+/// these can be told apart.
+constexpr int mostDivisions = 8;
+constexpr double divisionLength = 0.35; ///< in scene units, to both sides
+
+Rational strideOf(const Rational &divisions) {
+  Rational decade = 1;
+  for (;; decade *= 10)
+    for (const int factor : {1, 2, 5})
+      if (divisions <= decade * factor * mostDivisions)
+        return decade * factor;
+}
+
+/// Where f can be read off: through P0 along n, as far as Q is high, and one step farther at both ends.
+void drawGauge(Figure &figure, const Out &at) {
+  const Rational low = std::min(floorOf(at.steps), Rational(-1));
+  const Rational high = std::max(Rational(floorOf(at.steps) + 1), Rational(1));
+  const Rational stride = strideOf(high - low);
+  const Place across = unitOf(anyPerpendicular(at.in.E.object.normal)) * divisionLength;
+  const auto heightAt = [&](const Rational &steps) {
+    return place(ExactVec3(at.in.E.object.point + at.in.E.object.normal * steps));
+  };
+  figure.add(
+      SegmentMark{{at.M->mark + "/gauge", Role::Derived, Subject::Plane}, heightAt(low), heightAt(high)});
+  for (Rational step = floorOf(low / stride) * stride; step <= high; step += stride) {
+    if (step < low)
+      continue;
+    const Place middle = heightAt(step);
+    const Term value(Rational(step * at.measured.normalSquared));
+    figure.add(SegmentMark{{at.M->mark + "/at" + toText(step), Role::Derived, Subject::Plane, latexOf(value)},
+                           middle - across,
+                           middle + across});
+  }
+  figure.add(pointOf(at.M, Role::Result, Subject::Point));
+  if (vectorOf(at.M) != vectorOf(at.Q))
+    figure.add(SegmentMark{{at.M->mark + "/way", Role::Helper, Subject::Point}, place(at.M), place(at.Q)});
+}
+
 Figure draw(const Out &at) {
   Figure figure;
   const Place q = place(at.Q);
@@ -136,6 +199,7 @@ Figure draw(const Out &at) {
   if (at.hasAngle)
     drawAngle(figure, at, p0, q - p0);
   figure.add(pointOf(at.F, Role::Result, Subject::Measure));
+  drawGauge(figure, at);
   if (at.which == PointPlaneCase::On)
     return figure;
   MarkBase distance = drawn(at.dist, Role::Result, Subject::Measure);
@@ -160,23 +224,30 @@ Construction signed_distance() {
       {.id = "signed-distance",
        .roles = {"E", "Q"},
        .makes = {{"F", &Out::hasPlane, &Out::F}},
-       .letters = {"f", "w", "dist", "θ"},
+       .letters = {"f", "w", "dist", "θ", "M"},
        .cases = {"positive", "negative", "on", "zero-normal"},
        .values = {{named::number("f"), always, &Out::f},
                   {named::number("signed_distance"), &Out::hasPlane, &Out::dist},
                   {named::word("side", {"positive", "negative", "on"}), &Out::hasPlane,
                    [](const Out &at) { return ToldValue(words("side"), wordOf(at.which)); }},
+                  {named::word("along_x", {"nearer", "farther", "same"}), &Out::hasPlane, alongXValue},
+                  {named::number("height"), &Out::hasPlane,
+                   [](const Out &at) {
+                     return ToldValue(words("steps {n} up to {Q}", at.letters), Surd(at.steps));
+                   }},
                   {named::vector("foot"), &Out::hasPlane, &Out::F},
                   {named::number("cos_angle"), &Out::hasAngle, &Out::cosine}},
        .lines = {{"f", always, valueLine},
                  {"side", &Out::hasPlane, sideLine},
+                 {"gauge", &Out::hasPlane, gaugeLine},
+                 {"level", &Out::hasPlane, levelLine},
                  {"length", &Out::hasPlane, lengthLine},
                  {"distance", &Out::hasPlane, distanceLine},
                  {"cosine", &Out::hasAngle, cosineLine},
                  {"foot", &Out::hasPlane,
                   [](const Out &at) { return withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n); },
                   says("The foot: from {Q} straight along {n} to the plane, its nearest point.")}},
-       .marks = {"w", "theta", "F", "distance"},
+       .marks = {"w", "theta", "F", "M", "distance"},
        .tell = tell,
        .draw = draw,
        .nearby = nearby});

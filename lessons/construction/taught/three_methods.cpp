@@ -296,8 +296,18 @@ ValueRow<Out> costRow(const char *name, Steps (*way)(const Out &)) {
           }};
 }
 
+/// Which way the corners go around, for somebody whom r points at.
+Word windingOf(const Out &at) {
+  const Rational &along = at.cramer.det;
+  return along > 0   ? Word{"counterclockwise", words("counterclockwise")}
+         : along < 0 ? Word{"clockwise", words("clockwise")}
+                     : Word{"none", words("none")};
+}
+
 ValueTable<Out> values() {
   const ValueTable<Out> ways{
+      {named::word("winding", {"counterclockwise", "clockwise", "none"}), always,
+       [](const Out &at) { return ToldValue(words("sense of the corners"), windingOf(at)); }},
       valueGroup<Out>(
           "perp", always,
           {{named::number("denominator"), always, &Out::G}, {named::number("along"), always, &Out::along}}),

@@ -103,6 +103,17 @@ void recomputeMeeting(const Corners &corners, const RayObject &ray, Recomputed &
     addWeights(corners, point, expected);
 }
 
+/// The edge whose product beats those of all others, each with its sign squared away.
+void addLargest(const std::vector<Rational> &products, Recomputed &expected) {
+  for (std::size_t i = 0; i < products.size(); ++i) {
+    const auto beatsOther = [&](const Rational &other) {
+      return &other == &products[i] || other * other < products[i] * products[i];
+    };
+    if (std::all_of(products.begin(), products.end(), beatsOther))
+      expected.values["largest_edge"] = static_cast<int>(i);
+  }
+}
+
 void recomputeProducts(const Corners &corners, const RayObject &ray, Recomputed &expected) {
   expected.names = {{"Q", quantity(ray.origin)},
                     {"\\vec r", quantity(ray.direction)},
@@ -125,6 +136,7 @@ void recomputeProducts(const Corners &corners, const RayObject &ray, Recomputed 
   const char *signs = *least == 0 && *most == 0 ? "zero" : *least < 0 && *most > 0 ? "mixed" : "same";
   expected.values = {{"products", list}, {"sum", number(sum)}, {"signs", signs}};
   expected.names["S"] = quantity(sum);
+  addLargest(products, expected);
 }
 
 Recomputed recompute(Objects objects) {

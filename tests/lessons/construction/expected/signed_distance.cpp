@@ -32,6 +32,13 @@ Recomputed recompute(Objects objects) {
   expected.values["side"] = expected.caseName;
   expected.values["signed_distance"] = SignedSquares{signedSquare(f, square)};
   expected.values["foot"] = numbers(foot);
+  const Rational after = product(E.normal, ExactVec3(Q + ExactVec3(1, 0, 0))) - product(E.normal, E.point);
+  expected.values["along_x"] = std::string(after * after < f * f   ? "nearer"
+                                           : after * after > f * f ? "farther"
+                                                                   : "same");
+  expected.values["height"] = number(Rational(f / square));
+  // Back from Q by what leads to its foot, seen from P0.
+  expected.names["M"] = quantity(ExactVec3(E.point + (Q - foot)));
   expected.names["F"] = quantity(foot);
   expected.names["\\operatorname{dist}"] = quantityOverRoot(f, square);
   if (vanishes(w))

@@ -112,6 +112,9 @@ Recomputed recompute(Objects objects) {
                      {"perp.along", number(whole)},
                      {"cramer.det", number(whole)},
                      {"cramer.det_sigma", number(volumes[1])},
+                     {"winding", std::string(whole > 0   ? "counterclockwise"
+                                             : whole < 0 ? "clockwise"
+                                                         : "none")},
                      {"cramer.det_tau", number(volumes[2])},
                      {"cramer.det_t", number(last)}};
   expected.names = {{"P_0", quantity(T.p0)},
