@@ -1,6 +1,16 @@
 #include "lessons/construction/outcome.h"
 
+#include "lessons/term/plain_text.h"
+
 namespace halfspace {
+
+std::string readName(const NamedValue &value) {
+  if (const auto *term = std::get_if<Term>(&value.label))
+    return plainText(*term);
+  const auto *read = std::get_if<std::string>(&value.label);
+  return read ? *read : std::string();
+}
+
 std::optional<Term> termOf(const Value &value) {
   if (const auto *number = std::get_if<Surd>(&value))
     return *number;

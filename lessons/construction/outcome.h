@@ -36,6 +36,9 @@ struct NamedValue {
   Value value;
 };
 
+/// The name of a value as a learner reads it, in plain text; empty for what is for programs only.
+[[nodiscard]] std::string readName(const NamedValue &value);
+
 /// A number or a list of numbers as a term; nothing for words and groups.
 [[nodiscard]] std::optional<Term> termOf(const Value &value);
 

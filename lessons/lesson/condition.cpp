@@ -98,7 +98,8 @@ std::string inOurSigns(std::string_view text) {
   return withDecimalPoints(meant);
 }
 
-std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_view name) {
+/// A value by its name among several. A number of a list has no name that a learner reads.
+std::optional<NamedValue> findIn(const std::vector<NamedValue> &values, std::string_view name) {
   const auto dot = name.find('.');
   const std::string_view head = name.substr(0, dot);
   const auto found =
@@ -106,7 +107,7 @@ std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_v
   if (found == values.end())
     return {};
   if (dot == std::string_view::npos)
-    return found->value;
+    return *found;
   const std::string_view rest = name.substr(dot + 1);
   if (const auto *group = std::get_if<std::vector<NamedValue>>(&found->value))
     return findIn(*group, rest);
@@ -114,14 +115,14 @@ std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_v
   const auto index = componentIndex(rest);
   if (!list || !index || *index >= list->size())
     return {};
-  return (*list)[*index];
+  return NamedValue{std::string(name), {}, (*list)[*index]};
 }
 
 constexpr std::string_view caseName = "case";
 
-std::optional<Value> findOf(const EvaluatedEntry &entry, std::string_view name) {
+std::optional<NamedValue> findOf(const EvaluatedEntry &entry, std::string_view name) {
   if (name == caseName && (entry.isConstruction() || !entry.missing.empty()))
-    return Word{entry.outcome->told->name, entry.outcome->told->name};
+    return NamedValue{std::string(name), {}, Word{entry.outcome->told->name, entry.outcome->told->name}};
   return findIn(*entry.outcome->values, name);
 }
 
@@ -184,7 +185,7 @@ Result<Conditions> parseConditions(std::string_view text) {
   return problem;
 }
 
-std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {
+std::optional<NamedValue> findNamedValue(const Evaluation &evaluation, std::string_view name) {
   const QualifiedName ofEntry = qualified(name);
   if (const EvaluatedEntry *entry = evaluation.find(ofEntry.entry))
     return findOf(*entry, ofEntry.own);
@@ -192,7 +193,7 @@ std::optional<Value> findValue(const Evaluation &evaluation, std::string_view na
     const EvaluatedEntry *last = evaluation.lastConstruction();
     return last ? findOf(*last, name) : std::nullopt;
   }
-  std::optional<Value> found;
+  std::optional<NamedValue> found;
   for (const EvaluatedEntry &entry : evaluation.entries)
     if (auto value = findIn(*entry.outcome->values, name)) {
       if (found)
@@ -200,6 +201,11 @@ std::optional<Value> findValue(const Evaluation &evaluation, std::string_view na
       found = std::move(value);
     }
   return found;
+}
+
+std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {
+  auto found = findNamedValue(evaluation, name);
+  return found ? std::optional(std::move(found->value)) : std::nullopt;
 }
 
 bool holds(const Condition &condition, const Evaluation &evaluation) {

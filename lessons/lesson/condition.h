@@ -10,7 +10,9 @@ namespace halfspace {
 
 /// The value that goes by a name: `distance.f` of the entry `distance`, or `f` where only one construction
 /// has an f among its values; `perp.uu` inside a group, `foot.z` of a vector. `case` is the last
-/// construction's, and `distance.case` that of an entry. Nothing for a value that the case does not have.
+/// construction's, and `distance.case` that of an entry. Nothing for a value that the case does not have. A
+/// number of a list and a case have no name that a learner reads.
+[[nodiscard]] std::optional<NamedValue> findNamedValue(const Evaluation &evaluation, std::string_view name);
 [[nodiscard]] std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name);
 
 /// x, y, z or a digit, as the place in a list; nothing for other names.

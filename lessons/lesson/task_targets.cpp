@@ -30,6 +30,8 @@ public:
     return evaluate(moved, m_start);
   }
 
+  [[nodiscard]] const Evaluation &atStart() const { return m_start; }
+
 private:
   Scene m_scene;
   Handle m_handle;
@@ -95,22 +97,14 @@ std::optional<Quadric> surfaceOf(const Condition &condition, const Tried &tried,
   return surface ? surface : Quadric::through(start, lackingSquared);
 }
 
-/// Whether a value is one of several numbers, as `coefficients.0`, `foot.z`: it has no name that learners
-/// know.
-bool isOneOfSeveral(const std::string &value) {
-  static constexpr std::string_view numbers = "xyz0123456789";
-  const auto dot = value.rfind('.');
-  return dot != std::string::npos && value.find_first_not_of(numbers, dot + 1) == std::string::npos;
-}
-
-/// `signed distance = 5, t = 1`
-std::string wordsOf(const Conditions &conditions) {
+/// `dist = 5, t = 1`, by the names that learners read.
+std::string wordsOf(const Conditions &conditions, const Evaluation &evaluation) {
   std::string told;
   for (const Condition &condition : conditions) {
-    if (isOneOfSeveral(condition.value))
+    const auto value = findNamedValue(evaluation, condition.value);
+    const std::string name = value ? readName(*value) : std::string();
+    if (name.empty())
       return words("as the task asks");
-    std::string name = condition.value;
-    std::replace(name.begin(), name.end(), '_', ' ');
     told += (told.empty() ? "" : ", ") + name + " = " + condition.against;
   }
   return told;
@@ -139,7 +133,7 @@ std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const
   }
   if (met.empty())
     return {};
-  target.name = wordsOf(met);
+  target.name = wordsOf(met, tried->atStart());
   target.counts = [tried, met](const ExactVec3 &place) {
     const Evaluation there = tried->at(place);
     return std::all_of(met.begin(), met.end(),

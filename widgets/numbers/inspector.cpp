@@ -30,8 +30,7 @@ struct ShownValue {
 
   /// What its row is made for.
   [[nodiscard]] std::string id() const {
-    const auto *term = std::get_if<Term>(&value->label);
-    return entry + "." + value->name + " " + (term ? plainText(*term) : std::get<std::string>(value->label));
+    return entry + "." + value->name + " " + readName(*value);
   }
 };
 
@@ -54,10 +53,9 @@ std::vector<ShownValue> shownValues(const Evaluation &evaluation) {
 }
 
 void showName(MathLabel &label, const NamedValue &value) {
-  if (const auto *term = std::get_if<Term>(&value.label))
-    return label.setFormula(formulaOf(*term), QString::fromStdString(plainText(*term)));
-  const auto &words = std::get<std::string>(value.label);
-  label.setFormula({math::words(words)}, QString::fromStdString(words));
+  const auto *term = std::get_if<Term>(&value.label);
+  const std::string read = readName(value);
+  label.setFormula(term ? formulaOf(*term) : math::Row{math::words(read)}, QString::fromStdString(read));
 }
 
 /// A single number's decimal, where it is written otherwise.

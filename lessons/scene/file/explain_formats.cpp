@@ -44,11 +44,6 @@ Json valuesJson(const std::vector<NamedValue> &values) {
   return Json::parse("{" + fields + "}");
 }
 
-std::string labelText(const NamedValue &value) {
-  const auto *term = std::get_if<Term>(&value.label);
-  return term ? plainText(*term) : std::get<std::string>(value.label);
-}
-
 /// ` = 10`, ` ≈ 3.16228`, `: positive`: what follows a value's name.
 std::string valueText(const Value &value) {
   if (const auto term = termOf(value))
@@ -64,7 +59,7 @@ std::string valueLines(const std::vector<NamedValue> &values) {
     if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value))
       text += valueLines(*group);
     else if (!std::holds_alternative<std::monostate>(value.label))
-      text += labelText(value) + valueText(value.value) + "\n";
+      text += readName(value) + valueText(value.value) + "\n";
   return text;
 }
 

@@ -27,7 +27,7 @@ Scene withPlane(const PlaneObject &plane) {
 TEST(TaskTargets, OfADistance_AreAllPlacesThatHaveIt) {
   const auto targets = targetsFor("signed_distance = 5", distanceScene(), "Q");
   ASSERT_EQ(targets.size(), 1U);
-  EXPECT_EQ(targets[0].name, "signed distance = 5");
+  EXPECT_EQ(targets[0].name, "dist = 5");
   EXPECT_EQ(targets[0].places.dimension(), 2U);
   const ExactVec3 there(5 + 15, 4, 7); // f = 15 and |n| = 3
   EXPECT_TRUE(targets[0].places.contains(there) && targets[0].counts(there));
@@ -61,7 +61,7 @@ TEST(TaskTargets, OfALength_AreOnASphere) {
   const auto targets = targetsFor("length_v = 7", scene, "v.v");
   ASSERT_EQ(targets.size(), 1U);
   EXPECT_EQ(targets[0].dimension(), 2U);
-  EXPECT_EQ(targets[0].name, "length v = 7");
+  EXPECT_EQ(targets[0].name, "|v| = 7");
   EXPECT_EQ(targets[0].surface->at(ExactVec3(1, 2, 3) + ExactVec3(-6, 2, 3)), 0);
   EXPECT_NE(targets[0].surface->at(ExactVec3(1, 2, 3) + ExactVec3(7, 1, 0)), 0);
 }
