@@ -160,7 +160,7 @@ ToldValue coefficientsValue(const Out &at) {
 }
 
 ToldValue primitiveValue(const Out &at) {
-  return {words("in lowest integers"), rowOf(primitiveCoefficients(at.equation))};
+  return {words("in smallest whole numbers"), rowOf(primitiveCoefficients(at.equation))};
 }
 
 ToldValue normalizedValue(const Out &at) {

@@ -131,7 +131,7 @@ ToldValue parallelogramValue(const Out &at) {
 
 ToldValue primitiveValue(const Out &at) {
   const auto primitive = primitiveCoefficients(at.plane);
-  return {words("in lowest integers"), std::vector<Surd>(primitive.begin(), primitive.end())};
+  return {words("in smallest whole numbers"), std::vector<Surd>(primitive.begin(), primitive.end())};
 }
 
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
