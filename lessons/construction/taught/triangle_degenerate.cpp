@@ -104,8 +104,8 @@ std::string cosineWords(const Out &at) {
 WorkingLine squaresLine(const Out &at) {
   const auto &[u, v] = std::tie(at.u, at.v);
   return asked(withNumbers(at.G == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
-               at.isTriangle ? words("Not 0: a triangle. G is the number that s and t are divided by.")
-                             : words("0: no triangle. G is the number that s and t would be divided by."),
+               at.isTriangle ? words("Not 0: a triangle. G is the denominator of s and t.")
+                             : words("0: no triangle. G would be the denominator of s and t."),
                {{-at.G, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
 }
 

@@ -49,8 +49,8 @@ Claims triangle_degenerate() {
          return hasAngle(at) && isAngleBetween(at.u, at.v, said.at("degrees")) &&
                 isWrittenExactly(at) == (said.at("degrees").find('=') != std::string::npos);
        }},
-      {"Not 0: a triangle. G is the number that s and t are divided by.", isProper},
-      {"0: no triangle. G is the number that s and t would be divided by.", isNone},
+      {"Not 0: a triangle. G is the denominator of s and t.", isProper},
+      {"0: no triangle. G would be the denominator of s and t.", isNone},
       {"Lagrange's identity. It is −G: so G is 0 exactly where u × v is the zero vector.", always},
       {"It finds nothing wrong, and nothing is.",
        [](const TriangleCorners &at, const Said &said) { return at.isTriangle() && !isSeen(at, said); }},
