@@ -78,7 +78,7 @@ WorkingLine crossingLine(const Slab &slab, const Term &t, const Term &plane, con
               {{"plane", slab.nameOf(plane)}, {"other", slab.nameOf(other)}})},
        {plane - slab.start,
         words("{answer} is not divided yet by {step}.", {{"step", plainText(slab.step)}})},
-       {plane / slab.step, words("{answer} is right only for a ray from the origin: take {start} away first.",
+       {plane / slab.step, words("{answer} is right only where {start} is 0: take {start} away first.",
                                  {{"start", plainText(slab.start)}})}});
 }
 
