@@ -217,8 +217,8 @@ std::string notConvexWords(const Out &at) {
     return words("{first} and {second} are the same point: a face has a corner too many, and the signs alone "
                  "do not decide.",
                  *same);
-  return words("A face bends inwards, crosses itself or has a straight corner: the solid is not convex, and "
-               "the signs alone do not decide.");
+  return words("A face bends inwards, crosses itself or has a straight corner: the solid does not count as "
+               "convex, and the signs are not asked.");
 }
 
 CaseWords tell(const Out &at) {

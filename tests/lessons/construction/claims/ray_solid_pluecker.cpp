@@ -159,8 +159,8 @@ Claims caseClaims() {
       {"{first} and {second} are the same point: a face has a corner too many, and the signs alone do not "
        "decide.",
        [](const RayAtSolid &at) { return at.hasDoubleCorner() && !at.isFlat() && at.areFacesFlat(); }},
-      {"A face bends inwards, crosses itself or has a straight corner: the solid is not convex, and the "
-       "signs alone do not decide.",
+      {"A face bends inwards, crosses itself or has a straight corner: the solid does not count as convex, "
+       "and the signs are not asked.",
        [](const RayAtSolid &at) {
          return !at.isConvex && !at.isFlat() && at.areFacesFlat() && !at.hasDoubleCorner();
        }},
