@@ -194,7 +194,8 @@ std::string determinantWords(const Out &at) {
   if (!at.isRay)
     return zeroWithoutRay(at);
   return at.cramer.det == 0
-             ? words("Zero: nothing to divide by. Either the ray is parallel, or there is no triangle.")
+             ? words("Zero: nothing to divide by. Either the line of the ray does not cross the plane, or "
+                     "there is no triangle.")
              : words("Not zero: there is exactly one answer.");
 }
 

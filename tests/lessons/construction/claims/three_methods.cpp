@@ -78,7 +78,8 @@ Claims stepClaims() {
       {"Used in the two others.", always},
       {"Zero, because {r} is the zero vector: there is no ray.",
        [](const RayAtTriangle &at) { return !at.isRay(); }},
-      {"Zero: nothing to divide by. Either the ray is parallel, or there is no triangle.",
+      {"Zero: nothing to divide by. Either the line of the ray does not cross the plane, or there is no "
+       "triangle.",
        [](const RayAtTriangle &at) { return at.isRay() && at.rn == 0; }},
       {"Not zero: there is exactly one answer.", crosses},
       {"c in the place of u.", always},
