@@ -65,8 +65,7 @@ std::string placeWords(const Out &at) {
   const WordValues values{{"frames", std::to_string(framesPerLambda)}};
   return at.isFired
              ? words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.", values)
-             : words("Where the torpedo will start, or behind it. Its parameter grows by 1 in {frames} "
-                     "frames.",
+             : words("The torpedo is not fired yet. Once it is, its parameter grows by 1 in {frames} frames.",
                      values);
 }
 

@@ -50,7 +50,7 @@ Claims torpedo_flight() {
       {"The torpedo has reached what it hits.", [](const Flight &at) { return at.hasHit(); }},
       {"Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
        [](const Flight &at, const Said &said) { return at.isUnderWay() && said.at("frames") == "50"; }},
-      {"Where the torpedo will start, or behind it. Its parameter grows by 1 in {frames} frames.",
+      {"The torpedo is not fired yet. Once it is, its parameter grows by 1 in {frames} frames.",
        [](const Flight &at, const Said &said) { return at.isWaiting() && said.at("frames") == "50"; }},
   });
 }
