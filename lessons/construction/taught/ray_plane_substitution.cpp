@@ -224,10 +224,10 @@ WorkingLine parameterLine(const Out &at, std::size_t place) {
 
 std::string orderWords(const Out &at) {
   if (!at.first.empty())
-    return words("In their order. The first one that is 0 or more tells what the ray hits first.");
+    return words("In their order. The first t that is 0 or more tells what the ray hits first.");
   return liesInPlane(at)
-             ? words("In their order. None is 0 or more, so the ray hits no plane at a single point.")
-             : words("In their order. None is 0 or more, so the ray meets no plane.");
+             ? words("In their order. No t is 0 or more, so the ray hits no plane at a single point.")
+             : words("In their order. No t is 0 or more, so the ray meets no plane.");
 }
 
 bool meetsAny(const Out &at) {

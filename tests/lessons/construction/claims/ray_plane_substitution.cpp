@@ -117,10 +117,10 @@ Claims lineClaims() {
        }},
       {"Not negative: the ray meets {plane} at this t.",
        [](const RayAtPlanes &at, const Said &said) { return equationOf(at, said).isHit(); }},
-      {"In their order. The first one that is 0 or more tells what the ray hits first.", hitsAPlane},
-      {"In their order. None is 0 or more, so the ray hits no plane at a single point.",
+      {"In their order. The first t that is 0 or more tells what the ray hits first.", hitsAPlane},
+      {"In their order. No t is 0 or more, so the ray hits no plane at a single point.",
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && at.liesInAPlane(); }},
-      {"In their order. None is 0 or more, so the ray meets no plane.",
+      {"In their order. No t is 0 or more, so the ray meets no plane.",
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && !at.liesInAPlane(); }},
       {"There is no t for {planes}.",
        [](const RayAtPlanes &at, const Said &said) {
