@@ -107,7 +107,7 @@ WorkingLine numeratorLine(const Out &at) {
       wordsOfBoth(
           at,
           words("This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance "
-                "only when |{n}| = 1.",
+                "only when |{n}| = 1, or when it is 0.",
                 at.letters)),
       {{at.f, words("{answer} is f({Q}) = {n}·({Q} − {P0}): the numerator goes the other way, from {Q} "
                     "to {P0}.",
@@ -135,7 +135,7 @@ std::string stepWords(const Out &at) {
 WorkingLine parameterLine(const Out &at) {
   return asked(withNumbers(at.t == at.numerator / at.denominator),
                words("It takes this many steps {r} to get from {Q} to the plane. This is a distance only "
-                     "when |{r}| = 1.",
+                     "when |{r}| = 1, or when it is 0.",
                      at.letters),
                {wrongSignOf(at.t, at)});
 }
@@ -150,16 +150,14 @@ std::string hitWords(const Out &at) {
 WorkingLine facingLine(const Out &at) {
   const Term unit = at.n / norm(at.n);
   return at.meet.denominator > 0
-             ? asked(
-                   withResult(at.facing == -unit),
-                   words("{r}·{n} is positive, so {n} points away from where the ray comes from: the facing "
-                         "normal is −{n}, made one unit long.",
-                         at.letters))
-             : asked(
-                   withResult(at.facing == unit),
-                   words("{r}·{n} is negative, so {n} already points to where the ray comes from: the facing "
-                         "normal is {n}, made one unit long.",
-                         at.letters));
+             ? asked(withResult(at.facing == -unit),
+                     words("{r}·{n} is positive: {r} goes to the side that {n} points to. So the facing "
+                           "normal is −{n}, made one unit long.",
+                           at.letters))
+             : asked(withResult(at.facing == unit),
+                     words("{r}·{n} is negative: {r} goes against {n}. So the facing normal is {n}, made one "
+                           "unit long.",
+                           at.letters));
 }
 
 /// What is left to the plane, at the start of the ray, with its right angle there.

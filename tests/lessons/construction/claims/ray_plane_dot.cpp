@@ -31,11 +31,12 @@ Claims ray_plane_dot() {
       {"{r}·{n} is 0: t drops out, and f({Q}) is not 0, so no t satisfies the equation.",
        [](const RayAtPlane &at) { return at.rn == 0 && at.height != 0; }},
       {"This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance only when "
-       "|{n}| = 1.",
+       "|{n}| = 1, or when it is 0.",
        [](const RayAtPlane &at) { return at.isPlane(); }},
       {"How far one step {r} goes along {n}, times |{n}|. Zero means that no step comes nearer to the plane.",
        [](const RayAtPlane &at) { return at.isPlane() && at.isRay(); }},
-      {"It takes this many steps {r} to get from {Q} to the plane. This is a distance only when |{r}| = 1.",
+      {"It takes this many steps {r} to get from {Q} to the plane. This is a distance only when |{r}| = 1, "
+       "or when it is 0.",
        [](const RayAtPlane &at) { return at.crosses(); }},
       {"The zero vector: {Q} lies in the plane.",
        [](const RayAtPlane &at) { return at.isPlane() && at.height == 0; }},
@@ -50,11 +51,10 @@ Claims ray_plane_dot() {
        [](const RayAtPlane &at) { return at.crosses() && at.t() >= 0; }},
       {"Here the line through the ray meets the plane, behind the start: the ray itself never gets there.",
        [](const RayAtPlane &at) { return at.crosses() && at.t() < 0; }},
-      {"{r}·{n} is positive, so {n} points away from where the ray comes from: the facing normal is −{n}, "
-       "made one unit long.",
+      {"{r}·{n} is positive: {r} goes to the side that {n} points to. So the facing normal is −{n}, made one "
+       "unit long.",
        [](const RayAtPlane &at) { return at.rn > 0; }},
-      {"{r}·{n} is negative, so {n} already points to where the ray comes from: the facing normal is {n}, "
-       "made one unit long.",
+      {"{r}·{n} is negative: {r} goes against {n}. So the facing normal is {n}, made one unit long.",
        [](const RayAtPlane &at) { return at.rn < 0; }},
   });
 }
