@@ -21,6 +21,8 @@ struct Out : Computed<In>, PlaneTerms, RayTerms {
 
   RayPlane<Rational> meet = meetingOf(in.L.object, in.G.object);
   bool hasPlane = meet.which != RayPlaneCase::ZeroNormal;
+  /// Whether there are a plane and a ray.
+  bool isProper = hasPlane && meet.which != RayPlaneCase::ZeroDirection;
   bool crosses = meet.crosses();
   ExactVec3 toPlane = projectVector(in.G.object.point, in.G.object.normal).projection;
   ExactVec3 toStart = projectVector(in.L.object.origin, in.G.object.normal).projection;
@@ -172,7 +174,7 @@ WorkingLine facingLine(const Out &at) {
   return asked(
       withResult(at.facing == (turns ? -unit : unit)),
       turns ? words("v_d is positive: the ray goes to the side that {n} points to, so take −{n}.", at.letters)
-            : words("v_d is negative: the ray comes from where {n} points, so take {n}.", at.letters));
+            : words("v_d is negative: the ray goes against {n}, so take {n}.", at.letters));
 }
 
 LineTable<Out> lines() {
@@ -302,9 +304,9 @@ Construction ray_plane_picture() {
                   {named::number("numerator"), always, &Out::v0},
                   {named::number("denominator"), always, &Out::vd},
                   {named::number("length_n"), always, [](const Out &at) { return norm(at.n); }},
-                  {named::word("origin_way", {"with-n", "against-n", "none"}), always,
+                  {named::word("origin_way", {"with-n", "against-n", "none"}), &Out::hasPlane,
                    [](const Out &at) { return ToldValue(words("from the origin to the plane"), wayOf(at)); }},
-                  {named::word("normal", {"kept", "turned", "none"}), always,
+                  {named::word("normal", {"kept", "turned", "none"}), &Out::isProper,
                    [](const Out &at) { return ToldValue(words("the facing normal"), turnOf(at)); }},
                   {named::number("t"), &Out::crosses, &Out::t},
                   {named::vector("point"), &Out::crosses, &Out::H},

@@ -84,7 +84,7 @@ Claims meetingClaims() {
        [](const RayInPicture &at) { return at.crosses() && at.t() < 0; }},
       {"v_d is positive: the ray goes to the side that {n} points to, so take −{n}.",
        [](const RayInPicture &at) { return at.rn > 0; }},
-      {"v_d is negative: the ray comes from where {n} points, so take {n}.",
+      {"v_d is negative: the ray goes against {n}, so take {n}.",
        [](const RayInPicture &at) { return at.rn < 0; }},
   });
 }

@@ -47,11 +47,11 @@ Recomputed recompute(Objects objects) {
   expected.values = {{"D", number(D)},
                      {"numerator", number(Rational(-atStart))},
                      {"denominator", number(slope)},
-                     {"length_n", SignedSquares{product(n, n)}},
-                     {"origin_way", D > 0   ? "with-n"
-                                    : D < 0 ? "against-n"
-                                            : "none"},
-                     {"normal", "none"}};
+                     {"length_n", SignedSquares{product(n, n)}}};
+  if (!vanishes(n))
+    expected.values["origin_way"] = D > 0 ? "with-n" : D < 0 ? "against-n" : "none";
+  if (!vanishes(n) && !vanishes(L.direction))
+    expected.values["normal"] = "none";
   expected.names = {{"\\vec n", quantity(n)},
                     {"\\vec r", quantity(L.direction)},
                     {"P_0", quantity(G.point)},
