@@ -55,8 +55,7 @@ CaseWords tell(const Out &at) {
 WorkingLine weightedLine(const Out &at) {
   return asked(
       withNumbers(at.X == cross(at.n, at.m) - at.d * at.v),
-      at.meet.which == LinePlaneCase::Point
-          ? words("The common point, times a number that is still to come: the weight.")
+      at.meet.which == LinePlaneCase::Point ? words("The common point, times its weight.")
       : at.meet.which == LinePlaneCase::Parallel
           ? words("A multiple of {v}: there is no common point, only the direction is left.", at.letters)
           : words("All zero: no point of the line is special, because each is a common one."),

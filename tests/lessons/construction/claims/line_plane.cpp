@@ -43,7 +43,7 @@ Claims line_plane() {
        [](const LineAtPlane &at) { return !at.isLine(); }},
       {"The constant of {E}: its equation is {n}·P + {d} = 0.", isPlane},
       {"The moment of {g}.", isLine},
-      {"The common point, times a number that is still to come: the weight.", meetOnce},
+      {"The common point, times its weight.", meetOnce},
       {"A multiple of {v}: there is no common point, only the direction is left.", areParallel},
       {"All zero: no point of the line is special, because each is a common one.", isInPlane},
       {"Zero: {v} is perpendicular to {n}, so the line comes no nearer to the plane.",
