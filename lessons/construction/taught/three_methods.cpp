@@ -79,16 +79,16 @@ CaseWords tellCrossing(const Out &at) {
                         says("All three ways lead to the same hit: at the corner {corner}, at {lambda}.")},
                        lambda)};
   if (at.meet.which == RayTriangleCase::Behind)
-    return {caseName,
-            placeWords(
-                at.meet.location, at,
-                {says("The line of the ray goes through the triangle, inside the triangle. But {lambda} is "
-                      "negative: that is behind the ray's start. The Plücker products cannot see it."),
-                 says("The line of the ray goes through the triangle, on the edge {edge}. But {lambda} is "
-                      "negative: that is behind the ray's start. The Plücker products cannot see it."),
-                 says("The line of the ray goes through the triangle, at the corner {corner}. But {lambda} "
-                      "is negative: that is behind the ray's start. The Plücker products cannot see it.")},
-                lambda)};
+    return {
+        caseName,
+        placeWords(at.meet.location, at,
+                   {says("The line of the ray goes through the inside of the triangle. But {lambda} is "
+                         "negative: that is behind the ray's start. The Plücker products cannot see it."),
+                    says("The line of the ray goes through the edge {edge} of the triangle. But {lambda} is "
+                         "negative: that is behind the ray's start. The Plücker products cannot see it."),
+                    says("The line of the ray goes through the corner {corner} of the triangle. But {lambda} "
+                         "is negative: that is behind the ray's start. The Plücker products cannot see it.")},
+                   lambda)};
   return {caseName,
           words("All three ways find the same point, and it is outside the triangle: {s}, {t}, {sum}.",
                 {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};

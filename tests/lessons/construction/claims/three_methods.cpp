@@ -49,11 +49,11 @@ Claims crossingClaims() {
                    "All three ways lead to the same hit: on the edge {edge}, at {lambda}.",
                    "All three ways lead to the same hit: at the corner {corner}, at {lambda}."),
        placeClaims(isBehind,
-                   "The line of the ray goes through the triangle, inside the triangle. But {lambda} is "
+                   "The line of the ray goes through the inside of the triangle. But {lambda} is "
                    "negative: that is behind the ray's start. The Plücker products cannot see it.",
-                   "The line of the ray goes through the triangle, on the edge {edge}. But {lambda} is "
+                   "The line of the ray goes through the edge {edge} of the triangle. But {lambda} is "
                    "negative: that is behind the ray's start. The Plücker products cannot see it.",
-                   "The line of the ray goes through the triangle, at the corner {corner}. But {lambda} is "
+                   "The line of the ray goes through the corner {corner} of the triangle. But {lambda} is "
                    "negative: that is behind the ray's start. The Plücker products cannot see it."),
        coincidenceClaims("{first} and {second} are the same point: this is no triangle. G, D and S are 0, "
                          "whatever the ray does.",
