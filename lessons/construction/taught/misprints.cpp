@@ -143,8 +143,8 @@ CaseWords tell(const Out &at) {
     return {caseName, words("The line of the ray meets the plane outside the triangle. {count}", found)};
   case RayTriangleCase::Parallel:
   case RayTriangleCase::InPlane:
-    return {caseName, words("{r}·n = 0: the ray and the plane have no single point in common. {count}",
-                            at.letters, {{"count", countWords(at)}})};
+    return {caseName, words("{r}·n = 0: the ray is parallel to the plane, or lies in it. {count}", at.letters,
+                            {{"count", countWords(at)}})};
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:

@@ -65,7 +65,7 @@ Claims misprints() {
        }},
       {"The triangle is behind the ray: only its line goes through, at {lambda}. {count}", isBehind},
       {"The line of the ray meets the plane outside the triangle. {count}", misses},
-      {"{r}·n = 0: the ray and the plane have no single point in common. {count}",
+      {"{r}·n = 0: the ray is parallel to the plane, or lies in it. {count}",
        [](const PrintedLines &at) { return at.isTriangle() && at.isRay() && at.rn == 0; }},
       {"{P0}, {P1} and {P2} lie on one line. {count}",
        [](const PrintedLines &at) { return at.isCollinear(); }},
