@@ -235,7 +235,7 @@ void drawBox(Figure &figure, const Out &at, const Term &height, const Term &vect
   const ExactVec3 corner = vectorOf(at.P0);
   const ExactVec3 arrow = vectorOf(vector);
   const ExactVec3 p = vectorOf(at.p);
-  addSpannedBox(figure, {height->mark + "/box", Role::Derived, subject}, corner,
+  addSpannedBox(figure, {height->mark + "/box", Role::Helper, subject}, corner,
                 {ExactVec3(-arrow), ExactVec3(-vectorOf(at.b)), at.ray.direction});
   const ExactVec3 up = p * Rational(dot(arrow, p) / dot(p, p));
   if (isZero(up))

@@ -176,7 +176,7 @@ const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
       {"ray-plane-picture", {"O"}},                // the origin
       {"ray-plane-substitution", {"H"}},           // the first hit
       {"ray-polygon-pluecker", {"I"}},             // where the line meets the plane
-      {"ray-triangle-cramer", {"λ"}},              // the number of steps along the ray
+      {"ray-triangle-cramer", {"I", "λ"}},         // where the line meets the plane; steps along the ray
       {"ray-triangle-perp", {"I"}},                // where the line meets the plane
       {"signed-distance", {"F", "a", "b", "c"}}};  // the foot; the coordinates of any normal
   return letters;
