@@ -61,6 +61,7 @@ public:
     if (integer(0, 1) == 0)
       makeSpecial(objects);
     makePointsSpecial(objects);
+    makeLightSpecial(objects);
     makeMeshesSpecial(construction, objects);
     if (std::any_of(construction.roles.begin(), construction.roles.end(),
                     [](const ConstructionRole &role) { return role.isList; }))
@@ -337,6 +338,72 @@ private:
         points[i][0] = plane->point + vectorAlongPlane(plane->normal);
     if (choice == 3)
       points[2][0] = points[0][0] + (points[1][0] - points[0][0]) * number();
+  }
+
+  /// Of a plane, a lamp, three corners and sunlight: mostly all corners lit, between the lamp and the plane,
+  /// and then perhaps on one line, in one plane with the lamp, along the sunlight, or with two equally high.
+  /// Else light that is none or runs along the plane, and a lamp in it, at a corner, or level with one.
+  void makeLightSpecial(std::vector<Object> &objects) {
+    if (objects.size() != 6 || kindOf(objects[5]) != VectorObject::kind)
+      return;
+    const ExactVec3 at = objects[0][0];
+    const ExactVec3 n = objects[0][1];
+    ExactVec3 &lamp = objects[1][0];
+    ExactVec3 &a = objects[2][0];
+    ExactVec3 &b = objects[3][0];
+    ExactVec3 &c = objects[4][0];
+    ExactVec3 &sun = objects[5][1];
+    const auto high = [&](int height) -> ExactVec3 {
+      return at + vectorAlongPlane(n) + n * Rational(height);
+    };
+    const int choice = integer(0, 19);
+    if (choice >= 10) {
+      a = high(integer(0, 3));
+      b = high(integer(0, 3));
+      c = high(integer(0, 3));
+      lamp = high(4);
+      sun = vectorAlongPlane(n) - n * Rational(integer(1, 2));
+    }
+    switch (choice) {
+    case 0:
+      sun = {0, 0, 0};
+      break;
+    case 1:
+      sun = vectorAlongPlane(n);
+      break;
+    case 2:
+      lamp = at + vectorAlongPlane(n);
+      break;
+    case 3:
+      a = lamp;
+      break;
+    case 4:
+      b = lamp + vectorAlongPlane(n);
+      break;
+    case 5: // its midpoint level with the lamp
+      b = lamp * Rational(2) - a + vectorAlongPlane(n);
+      break;
+    case 6:
+      b = c = lamp;
+      break;
+    case 10:
+      c = a + (b - a) * Rational(1, integer(2, 3));
+      break;
+    case 11:
+      lamp = a * Rational(3) - b - c;
+      break;
+    case 12:
+      sun = (c - a) + (c - b);
+      break;
+    case 13: // one shadow of two corners
+      b = lamp + (a - lamp) * Rational(1, 2);
+      break;
+    case 14:
+      b = a + vectorAlongPlane(n);
+      break;
+    default:
+      break;
+    }
   }
 
   void makeSpecial(RayObject &ray, const PlaneObject &plane) {

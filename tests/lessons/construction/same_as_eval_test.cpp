@@ -62,6 +62,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "ray-plane-substitution",
                                                "ray-box-slabs",
                                                "reflection",
+                                               "shadow",
                                                "triangle-degenerate",
                                                "nearest-hit"};
 /// Questions know no saucers, no frames and no screens.
@@ -279,6 +280,31 @@ TEST(SameAsEval, Clipping_OfEachEdgeAsARay) {
       EXPECT_EQ(answered.at("result").at("t"), values.at("t" + number));
       EXPECT_EQ(answered.at("result").at("point"), values.at("cut" + number));
       ++compared;
+    }
+    return compared;
+  });
+}
+
+/// The light of the sun is a ray that starts at the corner; that of the lamp is one that goes through it.
+TEST(SameAsEval, Shadow_OfEachCornerAsRays) {
+  compareScenes("shadow", [](const std::vector<Object> &objects, const Json &explained) {
+    int compared = 0;
+    const Json &values = explained.at("values");
+    const auto compareRay = [&](const RayObject &ray, const std::string &parameter,
+                                const std::string &place) {
+      const Json answered = answerTo({"ray-plane", {"plane", "ray"}}, {objects[0], Object(ray)});
+      if (!values.contains(parameter))
+        return;
+      EXPECT_EQ(answered.at("result").at("t"), values.at(parameter));
+      EXPECT_EQ(answered.at("result").at("point"), values.at(place));
+      ++compared;
+    };
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::string role(1, static_cast<char>('A' + static_cast<int>(corner)));
+      const ExactVec3 at = objects[corner + 2][0];
+      const ExactVec3 lamp = objects[1][0];
+      compareRay({at, objects[5][1]}, "t_" + role, "S_" + role);
+      compareRay({lamp, ExactVec3(at - lamp)}, "k_" + role, "L_" + role);
     }
     return compared;
   });
