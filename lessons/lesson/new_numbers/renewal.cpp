@@ -21,6 +21,11 @@ constexpr int mostAttempts = 100;
 // What is left to chance.
 constexpr int freelyOnceIn = 6; ///< regardless of what is looked for
 constexpr int alongOnceIn = 6;
+constexpr int levelOnceIn = 6;      ///< neighbours in light
+constexpr int shadowlessOnceIn = 6; ///< scenes that are lit
+
+/// How high a lamp is over the plane, in lengths of the normal.
+constexpr int lampHeight = 3;
 
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
@@ -33,10 +38,12 @@ bool isShort(const Object &object) {
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  /// `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
-  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors,
+  /// `isLit`: a vector is light that shines past points onto a plane. `keepsCornersOnALine`: a triangle whose
+  /// corners are on one line is drawn so again.
+  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors, bool isLit,
           bool keepsCornersOnALine)
       : m_dice(dice), m_planes(planes), m_lines(lines), m_vectors(vectors),
+        m_litSide(isLit ? dice.sign() : 0), m_isLitFreely(isLit && dice.once(shadowlessOnceIn)),
         m_keepsCornersOnALine(keepsCornersOnALine) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
@@ -50,7 +57,7 @@ public:
     if (!found)
       object = before;
     else if (const auto plane = objectAs<PlaneObject>(object))
-      m_nets.push_back(netOf(*plane));
+      addPlane(*plane);
     else if (const auto triangle = objectAs<TriangleObject>(object); triangle && !isOnALine(*triangle))
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
@@ -59,9 +66,22 @@ public:
       m_nets.push_back(*m_face);
     else if (const auto vector = objectAs<VectorObject>(object))
       m_drawnVectors.push_back(*vector);
+    else if (isLit() && kindOf(object) == PointObject::kind)
+      addLitPoint();
   }
 
 private:
+  void addLitPoint() {
+    ++m_litPoints;
+    m_litHeight = m_height;
+  }
+
+  void addPlane(const PlaneObject &plane) {
+    m_nets.push_back(netOf(plane));
+    if (m_litSide != 0)
+      m_litPlane = m_nets.back();
+  }
+
   void draw(Object &object) {
     m_face = drawFace(object, m_dice);
     if (!(m_face || drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) ||
@@ -111,7 +131,9 @@ private:
 
   void draw(PlaneObject &plane) {
     plane.point = m_dice.position();
-    if (m_planes < 2)
+    if (m_litSide != 0)
+      plane.normal = m_dice.shortestNormal();
+    else if (m_planes < 2)
       plane.normal = m_dice.normal();
     else if (m_nets.empty())
       plane.normal = m_dice.shortestNormal();
@@ -183,6 +205,8 @@ private:
   /// Later ones start where the first does. Most have another length, so that it is seen by whose length is
   /// divided; now and then they are at a right angle to it, or lie along it.
   void draw(VectorObject &vector) {
+    if (isLit())
+      return drawLight(*m_litPlane, vector);
     const bool isFirst = m_drawnVectors.empty();
     vector.vector = m_vectors > 2 ? vectorOfThree() : m_dice.shortNormal();
     vector.start = isFirst ? m_dice.position() : m_drawnVectors.front().start;
@@ -193,6 +217,17 @@ private:
       vector.vector = m_dice.once(2) ? m_dice.shortNormal() : m_dice.shortestNormal() * Rational(2);
     if (m_dice.once(alongOnceIn))
       vector.vector = m_dice.once(2) ? stepAlong(first, 0, 1) : first * Rational(2 * m_dice.sign());
+  }
+
+  /// A step leads as far along the normal as this is long, towards the points in light or away from them.
+  void drawLight(const Net &plane, VectorObject &light) {
+    light.start = m_dice.position();
+    const auto isWhole = [&] {
+      return abs(dot(plane.normal, light.vector)) == dot(plane.normal, plane.normal);
+    };
+    light.vector = m_dice.direction(longestStep);
+    for (int attempt = 0; attempt < mostAttempts && !isWhole(); ++attempt)
+      light.vector = m_dice.direction(longestStep);
   }
 
   /// The area between the first two is a whole number: the height of the others over it is divided by that.
@@ -241,6 +276,8 @@ private:
 
   /// At random; straight above, in or below what it looks for; in the plane of a triangle.
   void draw(PointObject &point) {
+    if (isLit())
+      return drawInLight(*m_litPlane, point);
     point.at = m_dice.position();
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
@@ -251,6 +288,24 @@ private:
     }
     const ExactVec3 foot = pointOf(*net, m_dice);
     point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
+  }
+
+  /// The first is a lamp, and the others are between it and the plane, so that they throw shadows; now and
+  /// then all are at any height.
+  void drawInLight(const Net &plane, PointObject &point) {
+    const ExactVec3 foot = m_litPoints == 0 ? plane.at : pointOf(plane, m_dice);
+    m_height = heightInLight();
+    point.at = foot + plane.normal * Rational(m_litSide * m_height);
+  }
+
+  /// In lengths of the normal. Most neighbours differ: the midpoint of equal ones is a special case.
+  int heightInLight() {
+    if (m_isLitFreely)
+      return m_dice.between(0, lampHeight);
+    if (m_litPoints == 0)
+      return lampHeight;
+    const bool isFirst = m_litPoints == 1;
+    return isFirst || m_dice.once(levelOnceIn) ? m_dice.between(1, lampHeight - 1) : lampHeight - m_litHeight;
   }
 
   /// At random, in what it looks for, along it, or towards a point of it.
@@ -279,6 +334,8 @@ private:
     ray.direction = step * Rational(m_dice.between(1, 2));
   }
 
+  [[nodiscard]] bool isLit() const { return m_litPlane.has_value(); }
+
   const Net *aim() {
     if (m_nets.empty())
       return nullptr;
@@ -290,6 +347,12 @@ private:
   std::ptrdiff_t m_planes;
   std::ptrdiff_t m_lines;
   std::ptrdiff_t m_vectors;
+  int m_litSide; ///< of the plane, the side on which points are lit; 0 where no light shines
+  bool m_isLitFreely;
+  std::optional<Net> m_litPlane;
+  int m_litPoints = 0; ///< that have their numbers
+  int m_litHeight = 0; ///< of the last of them
+  int m_height = 0;    ///< of what was drawn last
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
   std::optional<Net> m_face; ///< of the object that was drawn last, where one is looked for
@@ -312,7 +375,9 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
     return std::count_if(objects.begin(), objects.end(),
                          [&](const Object *object) { return kindOf(*object) == kind; });
   };
-  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind),
+  const bool isLit =
+      count(PlaneObject::kind) == 1 && count(VectorObject::kind) == 1 && count(PointObject::kind) > 0;
+  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind), isLit,
                   keepsCornersOnALine);
   // What is looked for comes before what looks for it.
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
