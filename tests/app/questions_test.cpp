@@ -38,6 +38,7 @@ const std::vector<RightAnswer> &questions() {
       {"ray-plane-picture", 1, "with-n"},
       {"ray-plane-picture", 8, "turned"},
       {"reflection", 1, "down"},
+      {"shadow", 1, "B"},
       {"camera", 1, "seen"},
       {"clipping", 1, "4"},
       {"photon-torpedo", 1, "mesh2"},

@@ -178,6 +178,7 @@ const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
       {"ray-polygon-pluecker", {"I"}},             // where the line meets the plane
       {"ray-triangle-cramer", {"I", "λ"}},         // where the line meets the plane; steps along the ray
       {"ray-triangle-perp", {"I"}},                // where the line meets the plane
+      {"shadow", {"L", "M"}},                      // the lamp's shadow; the midpoint
       {"signed-distance", {"F", "a", "b", "c"}}};  // the foot; the coordinates of any normal
   return letters;
 }
