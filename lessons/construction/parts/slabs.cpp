@@ -1,9 +1,9 @@
 #include "lessons/construction/parts/slabs.h"
 
 #include "lessons/construction/parts/ray_marks.h"
+#include "lessons/construction/parts/sorted_line.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
-#include "lessons/object/letters.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
@@ -13,22 +13,6 @@
 
 namespace halfspace {
 namespace {
-
-/// A coordinate of a point or a vector, by a name of its own: Q_x.
-Term componentOf(const Term &whole, Symbol symbol, int axis) {
-  const auto node = std::make_shared<TermNode>(*name(std::move(symbol), vectorOf(whole)[axis]));
-  node->mark = whole->mark;
-  node->source = whole->source;
-  if (node->source)
-    node->source->component = axis;
-  return Term(node);
-}
-
-Symbol indexed(Symbol symbol, const std::string &index) {
-  symbol.subscript = index;
-  symbol.isVector = false;
-  return symbol;
-}
 
 Slab slabOf(const Naming &naming, const Given<BoxObject> &box, const Given<RayObject> &ray,
             const RayBox<Rational> &meet, std::size_t place) {
@@ -132,8 +116,6 @@ PolygonMark patchOf(const Slab &slab, const Term &plane, const Term &point, cons
 
 } // namespace
 
-Rational rationalOf(const Term &number) { return numberOf(number)->exact()->rationalPart(); }
-
 bool Slab::isForwards() const { return rationalOf(step) > 0; }
 bool Slab::isFlat() const { return rationalOf(low) == rationalOf(high); }
 bool Slab::hasStart() const {
@@ -159,20 +141,6 @@ WorkingLine wayOutLine(const Slab &slab) {
 
 WorkingLine startLine(const Slab &slab) {
   return sortedLine({slab.low, slab.start, slab.high}, startWords(slab));
-}
-
-WorkingLine sortedLine(std::vector<Term> terms, std::string sentence) {
-  std::stable_sort(terms.begin(), terms.end(),
-                   [](const Term &a, const Term &b) { return rationalOf(a) < rationalOf(b); });
-  std::vector<Term> numbers;
-  numbers.reserve(terms.size());
-  for (const Term &term : terms)
-    numbers.push_back(calculated(term));
-  // Rounded, two numbers may read alike that are not the same.
-  for (std::size_t i = 1; i < terms.size(); ++i)
-    if (readAlike(numbers[i - 1], numbers[i]) && rationalOf(terms[i - 1]) != rationalOf(terms[i]))
-      return line(inOrder(std::move(terms)), std::move(sentence));
-  return line({inOrder(std::move(terms)), inOrder(std::move(numbers))}, std::move(sentence));
 }
 
 void drawSlab(Figure &figure, const Naming &naming, const Slab &slab, const Given<BoxObject> &box,

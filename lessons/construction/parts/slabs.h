@@ -5,6 +5,7 @@
 #include "geometry/intersect_ray_box.h"
 #include "lessons/construction/naming.h"
 #include "lessons/construction/outcome.h"
+#include "lessons/construction/parts/components.h"
 #include "lessons/construction/working.h"
 #include "lessons/object/kinds/box.h"
 #include "lessons/object/kinds/ray.h"
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace halfspace {
-
-inline constexpr std::array axisNames{"x", "y", "z"};
 
 /// A slab across an axis, as a ray's line meets it.
 struct Slab {
@@ -38,9 +37,6 @@ struct Slab {
   [[nodiscard]] std::string nameOf(const Term &plane) const;
 };
 
-/// The number that a term comes to.
-[[nodiscard]] Rational rationalOf(const Term &number);
-
 [[nodiscard]] std::array<Slab, 3> slabsOf(const Naming &naming, const Given<BoxObject> &box,
                                           const Given<RayObject> &ray, const RayBox<Rational> &meet);
 
@@ -49,9 +45,6 @@ struct Slab {
 [[nodiscard]] WorkingLine wayOutLine(const Slab &slab);
 /// Whether the start is in the slab.
 [[nodiscard]] WorkingLine startLine(const Slab &slab);
-
-/// Terms in the order of their numbers, by their names and by their numbers.
-[[nodiscard]] WorkingLine sortedLine(std::vector<Term> terms, std::string sentence);
 
 /// Both planes of a slab, a little larger than the box, as the mark `slab-x`; and the points where the line
 /// goes in and comes out, as `in-x` and `out-x`.

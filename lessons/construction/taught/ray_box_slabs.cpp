@@ -3,6 +3,7 @@
 #include "geometry/case_names.h"
 #include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/slabs.h"
+#include "lessons/construction/parts/sorted_line.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
