@@ -274,7 +274,8 @@ private:
     triangle.p2 = triangle.p0 + step * Rational(second);
   }
 
-  /// At random; straight above, in or below what it looks for; in the plane of a triangle.
+  /// At random; straight above, in or below what it looks for, beside a line or on it; in the plane of a
+  /// triangle.
   void draw(PointObject &point) {
     if (isLit())
       return drawInLight(*m_litPlane, point);
@@ -286,7 +287,7 @@ private:
       point.at = m_dice.once(alongOnceIn) ? cornerOf(*net, m_dice) : pointOf(*net, m_dice);
       return;
     }
-    const ExactVec3 foot = pointOf(*net, m_dice);
+    const ExactVec3 foot = net->steps.size() == 1 ? stepsAlong(*net) : pointOf(*net, m_dice);
     point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
   }
 
@@ -306,6 +307,12 @@ private:
       return lampHeight;
     const bool isFirst = m_litPoints == 1;
     return isFirst || m_dice.once(levelOnceIn) ? m_dice.between(1, lampHeight - 1) : lampHeight - m_litHeight;
+  }
+
+  /// A point of a line after some steps, forwards or backwards: often beyond the first.
+  ExactVec3 stepsAlong(const Net &line) {
+    const int sign = m_dice.sign();
+    return line.after({sign * m_dice.between(1, longestStep)});
   }
 
   /// At random, in what it looks for, along it, or towards a point of it.
