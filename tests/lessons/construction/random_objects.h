@@ -142,6 +142,8 @@ private:
       return makeSpecialVectors(objects[0], objects[1], objects[2]);
     if (const auto screen = objects.size() == 3 ? objectAs<ScreenObject>(objects[1]) : std::nullopt)
       return makeSpecialCamera(objects[0][0], *screen, objects);
+    if (objects.size() == 3 && kindOf(objects[0]) == LineObject::kind)
+      return makeSpecialWalk(objects[0], objects[1][0], objects[2][0]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -212,6 +214,24 @@ private:
       point = line.point;
     if (choice == 2)
       point = line.point + line.direction * number();
+  }
+
+  /// Points of the line, at its ends, on its segment or elsewhere; a direction with zeros, where the second
+  /// point mostly has the same coordinates as the line, or none at all.
+  void makeSpecialWalk(Object &line, ExactVec3 &first, ExactVec3 &second) {
+    ExactVec3 &direction = line[1];
+    for (int axis = 0; axis < 3; ++axis)
+      if (integer(0, 3) == 0)
+        direction[axis] = 0;
+    if (integer(0, 9) == 0)
+      direction = {0, 0, 0};
+    const auto steps = [&] { return integer(0, 1) == 0 ? Rational(integer(-1, 6), 4) : number(); };
+    first = line[0] + direction * steps();
+    if (integer(0, 1) == 0)
+      second = line[0] + direction * steps();
+    for (int axis = 0; axis < 3; ++axis)
+      if (direction[axis] == 0 && integer(0, 2) != 0)
+        second[axis] = line[0][axis];
   }
 
   /// Parallel, the same, or one without a normal.

@@ -51,20 +51,10 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 /// Those that ask otherwise: each has a test of its own below.
-const std::set<std::string> withOtherQuestions{"clipping",
-                                               "barycentric",
-                                               "cross-product",
-                                               "determinant",
-                                               "dot-product-projection",
-                                               "half-spaces",
-                                               "plane-parametric",
-                                               "point-line",
-                                               "ray-plane-substitution",
-                                               "ray-box-slabs",
-                                               "reflection",
-                                               "shadow",
-                                               "triangle-degenerate",
-                                               "nearest-hit"};
+const std::set<std::string> withOtherQuestions{
+    "clipping",      "barycentric",      "cross-product",    "determinant",         "dot-product-projection",
+    "half-spaces",   "line-ray-segment", "plane-parametric", "point-line",          "ray-plane-substitution",
+    "ray-box-slabs", "reflection",       "shadow",           "triangle-degenerate", "nearest-hit"};
 /// Questions know no saucers, no frames and no screens.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight", "camera-ray"};
 
@@ -426,6 +416,23 @@ TEST(SameAsEval, PointLine_FromThePoint) {
                 toText(point[axis] +
                        *parseRational(nearest.at(static_cast<std::size_t>(axis)).get<std::string>())));
     EXPECT_EQ(explained.at("case") == "on", answered.at("result").at("through_origin"));
+    return 1;
+  });
+}
+
+/// The line that is seen from Q goes through the origin where Q lies on it.
+TEST(SameAsEval, LineRaySegment_FromThePointOfWhichItIsAsked) {
+  compareScenes("line-ray-segment", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 point = objects[2][0];
+    const Json answered = answerTo(
+        {{"query", "line"},
+         {"line", {{"point", numbersOf(objects[0][0] - point)}, {"direction", numbersOf(objects[0][1])}}}});
+    EXPECT_EQ(answered.at("ok"), explained.at("case") != "zero-direction");
+    if (!answered.at("ok"))
+      return 0;
+    const bool isOn = explained.at("values").at("on") == "yes";
+    EXPECT_EQ(answered.at("result").at("through_origin"), isOn);
+    EXPECT_EQ(explained.at("case") != "off", isOn);
     return 1;
   });
 }
