@@ -32,7 +32,7 @@ TEST_F(Program, Lessons_ListsIdsAndTitles) {
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.err, "");
   EXPECT_GE(std::count(ran.out.begin(), ran.out.end(), '\n'), 4);
-  EXPECT_TRUE(ran.out.starts_with("dot-product-projection  What does a dot product tell?\n")) << ran.out;
+  EXPECT_TRUE(ran.out.starts_with("line-ray-segment  Which points does A + t v reach?\n")) << ran.out;
 }
 
 TEST_F(Program, LessonsAsJson_TellIdsTitlesStepsAndSources) {
@@ -48,9 +48,9 @@ TEST_F(Program, LessonsAsJson_TellIdsTitlesStepsAndSources) {
     EXPECT_GE(lesson.at("steps").get<int>(), 3);
     EXPECT_TRUE(lesson.at("sources").is_array()); // the notes teach most of them, not all
   }
-  EXPECT_EQ(ids[0], "dot-product-projection");
+  EXPECT_EQ(ids[0], "line-ray-segment");
   EXPECT_EQ(lessons.at(0).at("chapter"), "Tools");
-  EXPECT_EQ(lessons.at(1).at("needs").at(0), "dot-product-projection");
+  EXPECT_EQ(lessons.at(1).at("needs").at(0), "line-ray-segment");
 }
 
 TEST_F(Program, ExplainPlane_GivesItsCoefficientsExactly) {

@@ -27,6 +27,7 @@ const std::vector<RightAnswer> &questions() {
       {"plane-parametric", 1, "s"},
       {"half-spaces", 1, "2"},
       {"plane-plane", 1, "line"},
+      {"line-ray-segment", 1, "no"},
       {"dot-product-projection", 1, "positive"},
       {"determinant", 1, "larger"},
       {"determinant", 3, "right-handed"},

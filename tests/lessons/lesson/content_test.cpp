@@ -81,6 +81,17 @@ const std::vector<Solution> &solutions() {
       {"plane-parametric", "Take $P$ out", {"P", onTrianglePlane({3, 4}, {1, 2})}},
       {"plane-parametric", "Bring $P$ to $P_3$", {"P", onTrianglePlane(1, 1)}},
       {"plane-parametric", "Put $P_0$", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 9, 2}}}},
+      {"line-ray-segment", "Slide $P$ along", {"P", test::withNumbers("point-on-line", {2})}},
+      {"line-ray-segment", "Slide $P$ to the mark", {"P", test::withNumbers("point-on-line", {-1})}},
+      {"line-ray-segment", "Slide $P$ to where the ray", {"P", test::withNumbers("point-on-line", {2})}},
+      {"line-ray-segment", "Now leave the ray", {"P", test::withNumbers("point-on-line", {-1})}},
+      {"line-ray-segment", "Slide $P$ to the middle", {"P", test::withNumbers("point-on-line", {{1, 2}})}},
+      {"line-ray-segment", "Slide $P$ to where it has", {"P", test::withNumbers("point-on-line", {{3, 4}})}},
+      {"line-ray-segment", "Bring $Q$ onto", {"Q", PointObject{{7, 12, 6}}}},
+      {"line-ray-segment", "Put $Q$ on the segment", {"Q", PointObject{{4, 6, 3}}}},
+      {"line-ray-segment", "Put $Q$ on the line, but", {"Q", PointObject{{2, 2, 1}}}},
+      {"line-ray-segment", "Turn $\\vec v$", {"g", LineObject{{3, 4, 2}, {0, 4, 2}}}},
+      {"line-ray-segment", "Bring the tip", {"g", LineObject{{3, 4, 2}, {0, 0, 0}}}},
       {"dot-product-projection", "Turn $\\vec w$ until it", {"w", VectorObject{{4, 1, 1}, {-3, 3, 0}}}},
       {"dot-product-projection", "Make the dot", {"w", VectorObject{{4, 1, 1}, {-4, 1, 3}}}},
       {"dot-product-projection", "Make $\\vec v$ exactly", {"v", VectorObject{{4, 1, 1}, {1, 0, 0}}}},
@@ -314,7 +325,7 @@ TEST(Content, EveryFile_IsALessonOfItsNameInItsPlace) {
   for (const Lesson &lesson : library().lessons)
     ids.insert(lesson.id);
   EXPECT_EQ(ids, files);
-  EXPECT_EQ(library().lessons.front().id, "dot-product-projection");
+  EXPECT_EQ(library().lessons.front().id, "line-ray-segment");
   EXPECT_TRUE(std::is_sorted(library().lessons.begin(), library().lessons.end(),
                              [](const Lesson &a, const Lesson &b) { return a.order < b.order; }));
 }

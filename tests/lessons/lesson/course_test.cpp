@@ -164,22 +164,22 @@ std::set<std::string> lettersInWords(const Lesson &lesson, const LessonStep &ste
 /// Letters that the words of a step say the meaning of, where no line and no picture does before.
 const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
   static const std::map<std::string, std::set<std::string>> letters{
-      {"clipping", {"k"}},                         // the number of a polygon's corners
-      {"cross-product", {"n"}},                    // u×v, as the same sentence says
-      {"determinant", {"P₀", "a", "c", "s", "t"}}, // four points; a rule for any vectors; two numbers
-      {"misprints", {"O", "R"}},                   // the origin; a printed letter
-      {"plane-implicit", {"a", "b", "d", "k"}},    // the numbers of any equation; any factor but 0
-      {"plane-plane", {"g"}},                      // the line that the picture shows
-      {"pluecker-lines", {"G", "k", "α", "μ"}},    // the nearest point of h; steps; an angle; a factor
-      {"pluecker-planes", {"S"}},                  // the common point
-      {"point-line", {"F"}},                       // the foot
-      {"ray-plane-picture", {"O"}},                // the origin
-      {"ray-plane-substitution", {"H"}},           // the first hit
-      {"ray-polygon-pluecker", {"I"}},             // where the line meets the plane
-      {"ray-triangle-cramer", {"I", "λ"}},         // where the line meets the plane; steps along the ray
-      {"ray-triangle-perp", {"I"}},                // where the line meets the plane
-      {"shadow", {"L", "M"}},                      // the lamp's shadow; the midpoint
-      {"signed-distance", {"F", "a", "b", "c"}}};  // the foot; the coordinates of any normal
+      {"clipping", {"k"}},                        // the number of a polygon's corners
+      {"cross-product", {"n"}},                   // u×v, as the same sentence says
+      {"determinant", {"a", "c", "s"}},           // a rule for any vectors; a number
+      {"misprints", {"O", "R"}},                  // the origin; a printed letter
+      {"plane-implicit", {"a", "b", "d", "k"}},   // the numbers of any equation; any factor but 0
+      {"plane-plane", {"g"}},                     // the line that the picture shows
+      {"pluecker-lines", {"G", "k", "α", "μ"}},   // the nearest point of h; steps; an angle; a factor
+      {"pluecker-planes", {"S"}},                 // the common point
+      {"point-line", {"F"}},                      // the foot
+      {"ray-plane-picture", {"O"}},               // the origin
+      {"ray-plane-substitution", {"H"}},          // the first hit
+      {"ray-polygon-pluecker", {"I"}},            // where the line meets the plane
+      {"ray-triangle-cramer", {"I", "λ"}},        // where the line meets the plane; steps along the ray
+      {"ray-triangle-perp", {"I"}},               // where the line meets the plane
+      {"shadow", {"L", "M"}},                     // the lamp's shadow; the midpoint
+      {"signed-distance", {"F", "a", "b", "c"}}}; // the foot; the coordinates of any normal
   return letters;
 }
 
