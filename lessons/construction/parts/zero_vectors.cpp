@@ -34,6 +34,19 @@ CaseWords zeroLineWords(const Naming &naming, std::string_view caseName) {
       true};
 }
 
+CaseWords zeroLinesWords(const Naming &naming, std::string_view caseName, bool isFirstZero,
+                         bool isSecondZero) {
+  const auto sentence = [&] {
+    if (isFirstZero && isSecondZero)
+      return words("{g.v} and {h.v} are zero vectors: they point nowhere, so there are no lines.",
+                   naming.letters);
+    return isFirstZero
+               ? words("{g.v} is the zero vector: it points nowhere, so {g} is no line.", naming.letters)
+               : words("{h.v} is the zero vector: it points nowhere, so {h} is no line.", naming.letters);
+  };
+  return {std::string(caseName), sentence(), true};
+}
+
 std::string zeroWithoutPlane(const Naming &naming) {
   return words("Zero, because {n} is the zero vector: there is no plane.", naming.letters);
 }

@@ -14,6 +14,10 @@ namespace halfspace {
 [[nodiscard]] CaseWords zeroDirectionWords(const Naming &naming);
 [[nodiscard]] CaseWords zeroLineWords(const Naming &naming, std::string_view caseName);
 
+/// Of two lines {g} and {h}, one or both of which have no direction.
+[[nodiscard]] CaseWords zeroLinesWords(const Naming &naming, std::string_view caseName, bool isFirstZero,
+                                       bool isSecondZero);
+
 /// Why a product is 0 that says nothing of where things lie: {n}, or {r}, is zero.
 [[nodiscard]] std::string zeroWithoutPlane(const Naming &naming);
 [[nodiscard]] std::string zeroWithoutRay(const Naming &naming);

@@ -55,14 +55,6 @@ struct Out : Computed<In> {
   Term dist = ownName(word("dist"), related.distance).marked(mark("dist"));
 };
 
-std::string notALineWords(const Out &at) {
-  const bool isFirst = isZero(at.in.g.object.direction);
-  if (isFirst && isZero(at.in.h.object.direction))
-    return words("{g.v} and {h.v} are zero vectors: they point nowhere, so there are no lines.", at.letters);
-  return isFirst ? words("{g.v} is the zero vector: it points nowhere, so {g} is no line.", at.letters)
-                 : words("{h.v} is the zero vector: it points nowhere, so {h} is no line.", at.letters);
-}
-
 CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.related.which));
   switch (at.related.which) {
@@ -84,7 +76,7 @@ CaseWords tell(const Out &at) {
   case LineLineCase::NotALine:
     break;
   }
-  return {caseName, notALineWords(at), true};
+  return zeroLinesWords(at, caseName, isZero(at.in.g.object.direction), isZero(at.in.h.object.direction));
 }
 
 WorkingLine productLine(const Out &at) {
