@@ -51,10 +51,22 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 /// Those that ask otherwise: each has a test of its own below.
-const std::set<std::string> withOtherQuestions{
-    "clipping",      "barycentric",      "cross-product",    "determinant",         "dot-product-projection",
-    "half-spaces",   "line-ray-segment", "plane-parametric", "point-line",          "ray-plane-substitution",
-    "ray-box-slabs", "reflection",       "shadow",           "triangle-degenerate", "nearest-hit"};
+const std::set<std::string> withOtherQuestions{"clipping",
+                                               "closest-points",
+                                               "barycentric",
+                                               "cross-product",
+                                               "determinant",
+                                               "dot-product-projection",
+                                               "half-spaces",
+                                               "line-ray-segment",
+                                               "plane-parametric",
+                                               "point-line",
+                                               "ray-plane-substitution",
+                                               "ray-box-slabs",
+                                               "reflection",
+                                               "shadow",
+                                               "triangle-degenerate",
+                                               "nearest-hit"};
 /// Questions know no saucers, no frames and no screens.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight", "camera-ray"};
 
@@ -297,6 +309,25 @@ TEST(SameAsEval, Shadow_OfEachCornerAsRays) {
       compareRay({lamp, ExactVec3(at - lamp)}, "k_" + role, "L_" + role);
     }
     return compared;
+  });
+}
+
+/// Questions tell lines of opposite directions apart, and their point only where they meet.
+TEST(SameAsEval, ClosestPoints_InTheirDistance) {
+  compareScenes("closest-points", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo(questions().at("line-line"), objects);
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+    if (!answered.at("ok"))
+      return 0;
+    const Json &result = answered.at("result");
+    const std::string found = result.at("case");
+    const std::map<std::string, std::string> cases{{"skew", "skew"},
+                                                   {"intersecting", "meet"},
+                                                   {"parallel", "parallel"},
+                                                   {"same", "coincident"},
+                                                   {"opposite", "coincident"}};
+    EXPECT_EQ(explained.at("case"), cases.at(found));
+    return compare(explained.at("values"), result, "");
   });
 }
 
