@@ -33,6 +33,7 @@ const std::vector<RightAnswer> &questions() {
       {"determinant", 3, "right-handed"},
       {"signed-distance", 1, "farther"},
       {"point-line", 1, "2"},
+      {"closest-points", 1, "nearer"},
       {"ray-plane-substitution", 1, "behind"},
       {"ray-plane-substitution", 3, "plane2"},
       {"ray-plane-dot", 1, "behind"},

@@ -165,6 +165,7 @@ std::set<std::string> lettersInWords(const Lesson &lesson, const LessonStep &ste
 const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
   static const std::map<std::string, std::set<std::string>> letters{
       {"clipping", {"k"}},                        // the number of a polygon's corners
+      {"closest-points", {"G"}},                  // the closest point of h
       {"cross-product", {"n"}},                   // u×v, as the same sentence says
       {"determinant", {"a", "c", "s"}},           // a rule for any vectors; a number
       {"misprints", {"O", "R"}},                  // the origin; a printed letter
