@@ -229,6 +229,7 @@ void drawPieces(Figure &figure, const MarkBase &base, const std::vector<Place> &
 /// A triangle, or what is left of it where it is none.
 void drawTriangle(Figure &figure, const MarkBase &base, const std::vector<ExactVec3> &corners) {
   std::vector<Place> places;
+  places.reserve(corners.size() + 1);
   for (const ExactVec3 &corner : corners)
     places.push_back(place(corner));
   if (!isZero(areaOf(corners))) {
@@ -239,9 +240,9 @@ void drawTriangle(Figure &figure, const MarkBase &base, const std::vector<ExactV
   drawPieces(figure, base, places);
 }
 
-/// Both halves of the shadow of the edge, from A to M and on to B, each in the look of its end.
+/// Both halves of the shadow of the edge, from A to M and on to B, each in the colour of its end.
 void drawHalves(Figure &figure, const Out &at, const std::string &mark, const std::array<Term, 3> &edge) {
-  const std::array looks{at.in.A.look, at.in.B.look};
+  const std::array looks{Look{at.in.A.look.hue}, Look{at.in.B.look.hue}};
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const Place from = place(edge.at(i));
     const Place to = place(edge.at(i + 1));

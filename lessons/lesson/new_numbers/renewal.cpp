@@ -131,11 +131,10 @@ private:
 
   void draw(PlaneObject &plane) {
     plane.point = m_dice.position();
-    if (m_litSide != 0)
-      plane.normal = m_dice.shortestNormal();
-    else if (m_planes < 2)
+    const bool isForLight = m_litSide != 0;
+    if (m_planes < 2 && !isForLight)
       plane.normal = m_dice.normal();
-    else if (m_nets.empty())
+    else if (isForLight || m_nets.empty())
       plane.normal = m_dice.shortestNormal();
     else
       drawBeside(m_nets.front(), plane);
