@@ -15,13 +15,14 @@ namespace halfspace {
 void FreshStart::startOver() {
   m_input.drop();            // what was refused is gone too
   m_question.forgetAnswer(); // the next group in class begins anew
+  m_progress.ofStep().tasks.beginAnew();
   replaceScene(m_model.lesson().scene, tr("Start over"));
 }
 
 void FreshStart::renewNumbers() {
-  m_input.drop();                     // it was about the numbers that go
-  m_question.forgetAnswer();          // so was the answer
-  m_progress.ofStep().tasks.arrive(); // other numbers are no deed of the learner
+  m_input.drop();                        // it was about the numbers that go
+  m_question.forgetAnswer();             // so was the answer
+  m_progress.ofStep().tasks.beginAnew(); // so were the tasks
   const auto &view = m_model.session().view;
   const glm::dvec3 from = view ? view->view.from : m_model.lesson().camera.from;
   // From the numbers of the lesson: special cases that were brought about would come again.

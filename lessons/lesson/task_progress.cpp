@@ -4,7 +4,13 @@ namespace halfspace {
 
 void TaskProgress::arrive() { m_wasOpen.clear(); }
 
+void TaskProgress::beginAnew() {
+  arrive();
+  m_done.clear();
+}
+
 void TaskProgress::observe(const std::vector<Task> &tasks, const Evaluation &evaluation) {
+  m_everDone.resize(tasks.size(), false);
   m_done.resize(tasks.size(), false);
   m_wasOpen.resize(tasks.size(), false);
   m_holdsAlready.reset();
@@ -13,7 +19,7 @@ void TaskProgress::observe(const std::vector<Task> &tasks, const Evaluation &eva
     const bool holds = isDone(tasks[i], evaluation);
     m_wasOpen[i] = m_wasOpen[i] || !holds;
     if (isNext && holds && m_wasOpen[i])
-      m_done[i] = true;
+      m_everDone[i] = m_done[i] = true;
     if (isNext && holds && !m_done[i])
       m_holdsAlready = i;
     isNext = isNext && m_done[i];

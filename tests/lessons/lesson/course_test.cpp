@@ -170,6 +170,7 @@ const std::map<std::string, std::set<std::string>> &lettersSaidInWords() {
       {"determinant", {"a", "c", "s"}},           // a rule for any vectors; a number
       {"misprints", {"O", "R"}},                  // the origin; a printed letter
       {"plane-implicit", {"a", "b", "d", "k"}},   // the numbers of any equation; any factor but 0
+      {"plane-parametric", {"d"}},                // the constant of any equation
       {"plane-plane", {"g"}},                     // the line that the picture shows
       {"pluecker-lines", {"G", "k", "α", "μ"}},   // the nearest point of h; steps; an angle; a factor
       {"pluecker-planes", {"S"}},                 // the common point

@@ -49,6 +49,20 @@ TEST(TaskProgress, OfWhatBecameTrueElsewhere_DoesNotCountOnReturn) {
   EXPECT_EQ(progress.done(), Done{false});
 }
 
+TEST(TaskProgress, OfASceneThatBeginsAnew_IsOpenAgain_AndStaysDoneForTheLesson) {
+  TaskProgress progress({true});
+  progress.observe(negative, withT(2));
+  EXPECT_EQ(progress.states(), std::vector{TaskState::Done});
+  progress.beginAnew();
+  progress.observe(negative, withT(-3));
+  EXPECT_EQ(progress.states(), std::vector{TaskState::HoldsAlready}) << "other numbers are no deed";
+  progress.observe(negative, withT(2));
+  EXPECT_EQ(progress.states(), std::vector{TaskState::Open});
+  EXPECT_EQ(progress.done(), Done{true});
+  progress.observe(negative, withT(-1));
+  EXPECT_EQ(progress.states(), std::vector{TaskState::Done});
+}
+
 TEST(TaskProgress, OfADoneTask_StaysDone) {
   TaskProgress progress;
   progress.observe(negative, withT(2));
