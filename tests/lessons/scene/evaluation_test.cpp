@@ -49,7 +49,7 @@ TEST(Evaluate, TheStartOfTheDistanceLesson_IsTenAwayOnThePositiveSide) {
   ASSERT_FALSE(outcome.values->empty());
   EXPECT_EQ(std::get<Surd>(outcome.values->at(0).value), Surd(30));
   EXPECT_EQ(std::get<Surd>(outcome.values->at(1).value), Surd(10));
-  EXPECT_EQ(outcome.explanation->ids().size(), 6U);
+  EXPECT_EQ(outcome.explanation->ids().size(), 8U);
 }
 
 TEST(Evaluate, APlanesLabel_HasItsEquationAsOneGroup) {
