@@ -159,8 +159,8 @@ std::string heightWords(const Out &at, const Term &vector) {
     return words("How far {vector} reaches along p: the height of its box on the face of b and {r}.",
                  at.letters, {{"vector", name}});
   if (along < 0)
-    return words("How far {vector} reaches along p. Negative: its box is on the other side of the face of b "
-                 "and {r}.",
+    return words("How far {vector} reaches along p. Negative: it points to one side of the face of b and {r}, "
+                 "and p to the other.",
                  at.letters, {{"vector", name}});
   return words("0: {vector} lies in the plane of b and {r}, and its box is flat.", at.letters,
                {{"vector", name}});

@@ -58,7 +58,8 @@ Claims ray_triangle_cramer() {
        [](const RayAtTriangle &at) { return at.crosses() && at.lambda() >= 0; }},
       {"How far {vector} reaches along p: the height of its box on the face of b and {r}.",
        [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) > 0; }},
-      {"How far {vector} reaches along p. Negative: its box is on the other side of the face of b and {r}.",
+      {"How far {vector} reaches along p. Negative: it points to one side of the face of b and {r}, and p to "
+       "the other.",
        [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) < 0; }},
       {"0: {vector} lies in the plane of b and {r}, and its box is flat.",
        [](const RayAtTriangle &at, const Said &said) { return at.crosses() && heightNamed(at, said) == 0; }},
