@@ -167,8 +167,7 @@ WorkingLine stepsLine(const Asking &each) {
   return asked(
       withNumbers(each.t == (each.Q - each.A) / each.v),
       words("So many steps of {step} lead from {start} to {end}.", names),
-      {{each.Q / each.v,
-        words("{answer} is right only for a line through the origin: take {start} away first.", names)},
+      {{each.Q / each.v, words("{answer} is right only where {start} is 0: take {start} away first.", names)},
        {each.Q - each.A, words("{answer} is not divided yet by {step}.", names)},
        {(each.A - each.Q) / each.v,
         words("{answer} has the wrong sign: take the start {start} away from {end}.", names)}});
