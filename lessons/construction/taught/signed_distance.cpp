@@ -113,11 +113,11 @@ WorkingLine valueLine(const Out &at) {
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }
 
-/// Whether one step along the x-axis leads the point nearer to the plane.
+/// Whether one unit along the x-axis leads the point nearer to the plane.
 ToldValue alongXValue(const Out &at) {
   const Rational before = abs(at.measured.f);
   const Rational after = abs(Rational(at.measured.f + at.in.E.object.normal.x));
-  return {words("distance after one step along x"), after < before   ? Word{"nearer", words("smaller")}
+  return {words("distance after one unit along x"), after < before   ? Word{"nearer", words("smaller")}
                                                     : after > before ? Word{"farther", words("larger")}
                                                                      : Word{"same", words("the same")}};
 }
@@ -129,8 +129,9 @@ WorkingLine gaugeLine(const Out &at) {
 
 /// f of the mark on the gauge.
 WorkingLine levelLine(const Out &at) {
-  return asked(withNumbers(dot(at.n, at.M - at.P0)),
-               words("f of M: the same as f of {Q}, because M is as high.", at.letters));
+  return asked(
+      withNumbers(dot(at.n, at.M - at.P0)),
+      words("f of M: the same as f of {Q}, because parallel to the plane f stays the same.", at.letters));
 }
 
 WorkingLine lengthLine(const Out &at) {

@@ -43,7 +43,8 @@ Claims signed_distance() {
       {"signed distance", always}, // in {distance}
       {"Straight across from {Q}, on the line through {P0} along {n}.",
        [](const Distance &at) { return at.nn != 0; }},
-      {"f of M: the same as f of {Q}, because M is as high.", [](const Distance &at) { return at.nn != 0; }},
+      {"f of M: the same as f of {Q}, because parallel to the plane f stays the same.",
+       [](const Distance &at) { return at.nn != 0; }},
       {"The length of the normal.", always},
       {"f({Q}) is 0, and so is the distance: 0 divided by any length is 0.",
        [](const Distance &at) { return at.f == 0 && at.nn != 0; }},
