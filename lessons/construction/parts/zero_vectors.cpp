@@ -60,7 +60,7 @@ std::string allZeroWithoutRay(const Naming &naming) {
 }
 
 std::string crossProductWords(const Term &normal) {
-  return isZeroVector(normal) ? words("The zero vector: u and v lie along one line and have no normal.")
+  return isZeroVector(normal) ? words("The zero vector: u and v lie along one line and span no plane.")
                               : words("Perpendicular to both sides.");
 }
 

@@ -45,7 +45,7 @@ Claims plane_parametric() {
       {"The same point without u and v: a mixture of the three corners.", isInPlane},
       {"At least one is negative: {P} is outside the triangle.", isBeside},
       {"Perpendicular to u and to v, so it is a normal of the plane.", isTriangle},
-      {"The zero vector: u and v lie along one line and have no normal.",
+      {"The zero vector: u and v lie along one line and span no plane.",
        [](const PointBySides &at) { return !at.isTriangle(); }},
       {"The implicit equation, with u × v for the normal.", isTriangle},
       {"{P} satisfies it, whatever s and t are.", isInPlane},

@@ -43,7 +43,7 @@ Claims coincidenceClaims(const char *two, const char *three,
 Claims crossProductClaims() {
   return claimsAbout<TriangleCorners>({
       {"Perpendicular to both sides.", [](const TriangleCorners &at) { return at.isTriangle(); }},
-      {"The zero vector: u and v lie along one line and have no normal.",
+      {"The zero vector: u and v lie along one line and span no plane.",
        [](const TriangleCorners &at) { return !at.isTriangle(); }},
   });
 }
