@@ -154,8 +154,8 @@ void Composer::composeFaces() {
   std::vector<Shape> faces;
   faces.reserve(inOrder.size());
   for (const Face *face : inOrder)
-    faces.push_back(
-        {baseOf(drawn().marks[face->mark]).id, face->color, FaceShape{face->corners, face->opacity}});
+    faces.push_back({baseOf(drawn().marks[face->mark]).id, face->color,
+                     FaceShape{face->corners, face->opacity, face->globe}});
   put(Layer::Faces, std::move(faces));
 }
 

@@ -63,8 +63,9 @@ std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leader
       shapes.push_back({markOf(label), leaders, LeaderShape{leader->from, leader->to, leaderWidth}});
   for (const LabelOnPage &label : labels) {
     const PixelBox box{label.place.topLeft, label.place.topLeft + label.place.extent};
-    shapes.push_back({markOf(label), label.text.style.ink,
-                      LabelShape{label.formula, label.text.style, box, label.text.opacity}});
+    shapes.push_back(
+        {markOf(label), label.text.style.ink,
+         LabelShape{label.text.latex, label.formula, label.text.style, box, label.text.opacity}});
   }
   return shapes;
 }

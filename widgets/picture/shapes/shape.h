@@ -52,10 +52,18 @@ struct BallShape {
   bool operator==(const BallShape &) const = default;
 };
 
+/// The surface of a ball that is seen through.
+struct Globe {
+  Place center{};
+  double radius = 0;
+  bool operator==(const Globe &) const = default;
+};
+
 /// A flat convex polygon, seen from both sides.
 struct FaceShape {
   std::vector<Place> corners;
   double opacity = 1;
+  std::optional<Globe> globe{}; ///< that it is a piece of
   bool operator==(const FaceShape &) const = default;
 };
 
@@ -86,7 +94,8 @@ struct LeaderShape {
 
 /// A formula on the page, in the colours of its style.
 struct LabelShape {
-  LabelFormula formula; ///< never null
+  std::string latex;
+  LabelFormula formula; ///< the same, set in type; never null
   LabelStyle style;
   PixelBox box; ///< its room (see roomOf), in whole pixels
   double opacity = 1;

@@ -44,7 +44,7 @@ struct Halves {
 
 /// Cuts a face along a plane; `sides` are its corners' distances from it.
 Halves cut(const Face &face, const std::vector<double> &sides) {
-  const Face empty{{}, face.color, face.opacity, face.mark};
+  const Face empty{{}, face.color, face.opacity, face.mark, face.globe};
   Halves halves{empty, empty};
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const std::size_t next = (i + 1) % face.corners.size();
@@ -95,7 +95,8 @@ void addSurface(const SphereMark &sphere, const Face &like, std::vector<Face> &f
       corners.push_back(at(meridian + 1, parallel + 1));
       if (parallel + 1 < ballParallels)
         corners.push_back(at(meridian, parallel + 1));
-      faces.push_back({std::move(corners), like.color, like.opacity / 2, like.mark});
+      faces.push_back(
+          {std::move(corners), like.color, like.opacity / 2, like.mark, Globe{sphere.center, sphere.radius}});
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
+#include "widgets/picture/shapes/shape.h"
 #include "widgets/picture/theme.h"
 
 #include <glm/vec4.hpp>
@@ -17,7 +18,8 @@ struct Face {
   std::vector<Place> corners;
   Color color;
   double opacity = 1;
-  std::size_t mark = 0; ///< that it is of, by its number in the figure
+  std::size_t mark = 0;         ///< that it is of, by its number in the figure
+  std::optional<Globe> globe{}; ///< that it is a piece of
 };
 
 /// The faces of a figure's plane patches, polygons and balls. Patches come first: they lie under what is
