@@ -1,0 +1,11 @@
+// What is written into a figure, with the lines that lead to it.
+#pragma once
+
+#include "widgets/exports/drawing.h"
+#include "widgets/exports/paper.h"
+
+namespace halfspace {
+
+[[nodiscard]] std::vector<DrawingPart> labelParts(const std::vector<Shape> &labels, const Paper &paper);
+
+} // namespace halfspace
