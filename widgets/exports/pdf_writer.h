@@ -1,0 +1,13 @@
+// Drawings as PDF.
+#pragma once
+
+#include "widgets/exports/drawing.h"
+#include "widgets/formula/math_font.h"
+
+namespace halfspace {
+
+/// A file of one page as large as the drawing: a tagged figure, described in words. Its formulas are text in
+/// an embedded part of the fonts, which are those that they are set in, and are copied as their plain text.
+[[nodiscard]] std::string pdfOf(const Drawing &drawing, const math::MathFonts &fonts);
+
+} // namespace halfspace
