@@ -1,0 +1,10 @@
+#include "widgets/exports/format.h"
+#include "widgets/exports/tikz_writer.h"
+
+namespace halfspace {
+
+ExportFormat tikz() {
+  return {"TikZ", ".tex", [](const Drawing &drawing, const math::MathFonts &) { return tikzOf(drawing); }};
+}
+
+} // namespace halfspace
