@@ -15,17 +15,7 @@ inline const LessonLibrary &library() {
   return lessons;
 }
 
-/// The view of a figure that is as wide as a screen's, or as a column of a page, with type of a size in
-/// points.
-inline View viewFor(double width, double typeSize) {
-  constexpr int pixels = 2400;
-  constexpr double heightPerWidth = 0.625;
-  const double designWidth = width / typeSize * markTextSize;
-  return {{}, {pixels, static_cast<int>(pixels * heightPerWidth)}, pixels / designWidth};
-}
-
-inline ShapeList shapesOfStep(const Lesson &lesson, const LessonStep *step, View view,
-                              const Theme &theme = *findTheme("print")) {
+inline ShapeList shapesOfStep(const Lesson &lesson, const LessonStep *step, View view, const Theme &theme) {
   const Evaluation evaluation = evaluate(lesson.scene);
   const Stage stage = stageOf(lesson.scene, boundObjectsOf(lesson.scene, evaluation));
   Composer composer(vectorsOnly());
@@ -38,7 +28,9 @@ inline ShapeList shapesOfStep(const Lesson &lesson, const LessonStep *step, View
 
 inline Drawing drawingOfStep(const Lesson &lesson, const LessonStep &step, const PaperLook &look = {},
                              double typeSize = 9) {
-  Drawing drawing = drawingOf(shapesOfStep(lesson, &step, viewFor(look.width, typeSize)), look);
+  const Theme &theme = *findTheme("print");
+  const View view = viewOnPaper({1600, 1000}, look.width, typeSize, theme);
+  Drawing drawing = drawingOf(shapesOfStep(lesson, &step, view, theme), look);
   drawing.title = lesson.title;
   drawing.description = shownIn(step, evaluate(lesson.scene)).description;
   return drawing;

@@ -1,5 +1,6 @@
 #include "widgets/exports/draw_shapes.h"
 
+#include "widgets/exports/body_faces.h"
 #include "widgets/exports/ground_parts.h"
 #include "widgets/exports/label_parts.h"
 #include "widgets/exports/space_things.h"
@@ -66,7 +67,7 @@ template <class Part> void append(std::vector<DrawingPart> &parts, std::vector<P
 }
 
 std::vector<PathPart> spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
-  const FaceVeils faces(*list.layer(Layer::Faces), paper);
+  const FaceVeils faces(facesWithBodies(list, paper), paper);
   const LineRoom room{paper, faces.veils(), hidden};
   std::vector<PaintedThing> things = thingsOf(*list.layer(Layer::Axes), room);
   std::vector<PaintedThing> solids = thingsOf(*list.layer(Layer::Solids), room);

@@ -15,7 +15,8 @@ struct VeilLook {
 
 /// Something thin, round or pointed among the veils.
 struct PaintedThing {
-  /// What lies over what where two come equally near.
+  /// What lies over what where two come equally near: as if each had all before it inside. Of one rank the
+  /// thicker lies over the other.
   enum class Rank { Line, Head, Ball };
 
   std::vector<PathPart> parts;

@@ -6,12 +6,6 @@
 #include <algorithm>
 
 namespace halfspace {
-namespace {
-
-/// What is cut off ends so far beside the page, in parts of its width and height: pens are thick.
-constexpr double marginBesidePage = 0.1;
-
-} // namespace
 
 double Paper::Border::side(const Place &place) const { return glm::dot(normal, place) + offset; }
 

@@ -15,6 +15,9 @@ struct Spot {
   double depth = 0; ///< along the view, from the eye
 };
 
+/// What is seen beside the page is drawn so far, in parts of its width and height: pens are thick.
+inline constexpr double marginBesidePage = 0.1;
+
 /// Projects as the camera does (Camera::project), in points instead of pixels.
 class Paper {
 public:

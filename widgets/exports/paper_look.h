@@ -1,7 +1,13 @@
 // What a figure looks like on paper.
 #pragma once
 
+#include "widgets/picture/theme.h"
+#include "widgets/picture/view.h"
+
 namespace halfspace {
+
+/// Centimetres in points.
+inline constexpr double pointsPerCentimetre = 72 / 2.54;
 
 /// How those parts of lines are drawn that something stands before.
 enum class HiddenLines {
@@ -11,10 +17,14 @@ enum class HiddenLines {
 };
 
 struct PaperLook {
-  double width = 226.77; ///< of the page, in points: 8 cm
+  double width = 8 * pointsPerCentimetre; ///< of the page, in points
   HiddenLines hidden = HiddenLines::Dashed;
   bool hasGround = true; ///< the colour of the page, where it is not white
 };
+
+/// A view of a shape, still without its camera, that is drawn so many points wide, with the labels of marks
+/// in type of a size in points.
+[[nodiscard]] View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme);
 
 /// On a screen lines are tubes, as thick as it takes to be lit. On paper a pen needs this part of that …
 inline constexpr double penPerTube = 0.45;

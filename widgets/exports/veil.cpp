@@ -9,26 +9,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 namespace {
 
 /// Nearer to a plane than this, in units of the stage, is in it: far above rounding, far below what is seen.
 constexpr double inPlane = 1e-6;
-/// Farther beyond the border of a polygon than this, in points, is outside of it.
-constexpr double onBorder = 1e-7;
+/// Nearer to the border of a polygon than this, in points, is on it.
+constexpr double onBorder = 1e-6;
 /// A polygon with less than this of the page, in square points, is seen edge-on.
 constexpr double leastArea = 1e-3;
 /// A circle on a ball that is cut into straight pieces dips into it: not farther along any sight than this
 /// part of its radius.
 constexpr double dipOfCircles = 0.06;
-/// The corners of a silhouette.
-constexpr int silhouetteCorners = 48;
+/// The corners of a silhouette, and how many times as many there are at most, of one that is larger than the
+/// page.
+constexpr int fewCorners = 48;
+constexpr double mostTimesMore = 64;
 
 /// Veils that lie one over the other by less than this, in points, only touch.
 constexpr double hair = 0.01;
-/// Lines times veils that are looked at: some tenths of a second.
-constexpr std::size_t mostAsked = 30'000'000;
+/// How often it is asked how lines stand to veils: for about a second.
+constexpr std::size_t mostAsked = 40'000'000;
 
 double crossOf(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -81,6 +84,20 @@ void addRoots(double a, double b, double c, std::vector<double> &roots) {
   roots.push_back((-b + root) / a);
 }
 
+/// Around what is seen of a ball on the page, or not far beside it.
+std::vector<glm::dvec2> silhouetteCorners(const Globe &ball, const Paper &paper) {
+  const Silhouette circle = paper.silhouetteOf(ball);
+  const glm::dvec2 margin = paper.size() * marginBesidePage;
+  const double widths = 2 * ball.radius * paper.pointsPerUnitAt(circle.center) / paper.size().x;
+  const int count = static_cast<int>(fewCorners * std::clamp(std::ceil(widths), 1.0, mostTimesMore));
+  std::vector<glm::dvec2> corners;
+  for (const Place &corner : circleAround(circle.center, circle.axis, circle.radius, count))
+    corners.push_back(paper.spotOf(corner).at);
+  if (turningArea(corners) < 0)
+    std::reverse(corners.begin(), corners.end());
+  return clippedTo(-margin, paper.size() + margin, std::move(corners));
+}
+
 /// Where a sight enters and leaves a ball, in its own lengths: it is at the place at 1.
 std::optional<std::array<double, 2>> passage(const Place &origin, const Place &sight, const Globe &ball) {
   const Place toOrigin = origin - ball.center;
@@ -128,12 +145,17 @@ void FlatVeil::addChanges(const SightedPiece &piece, const Paper &paper, std::ve
 
 Standing FlatVeil::standingOf(const Place &place, const Paper &paper) const {
   const glm::dvec2 spot = paper.spotOf(place).at;
+  double inside = std::numeric_limits<double>::infinity(); // how far, in points
   for (std::size_t i = 0; i < m_corners.size(); ++i) {
     const glm::dvec2 edge = m_corners[(i + 1) % m_corners.size()] - m_corners[i];
-    if (crossOf(edge, spot - m_corners[i]) < onBorder * glm::length(edge))
-      return Standing::Aside;
+    if (const double length = glm::length(edge); length > 0)
+      inside = std::min(inside, crossOf(edge, spot - m_corners[i]) / length);
   }
-  return side(place) < -inPlane ? Standing::Behind : Standing::Before;
+  const double toPlane = side(place);
+  // What runs along the border lies on it where it is in the plane; else it passes by.
+  if (inside < -onBorder || (inside <= onBorder && std::abs(toPlane) > inPlane))
+    return Standing::Aside;
+  return toPlane < -inPlane ? Standing::Behind : Standing::Before;
 }
 
 bool FlatVeil::isInOnePlaneWith(const FlatVeil &other) const {
@@ -147,12 +169,8 @@ std::optional<BallVeil> BallVeil::of(const Globe &ball, Half half, const Paper &
   BallVeil veil;
   veil.m_ball = ball;
   veil.m_half = half;
-  const Silhouette circle = paper.silhouetteOf(ball);
-  for (const Place &corner : circleAround(circle.center, circle.axis, circle.radius, silhouetteCorners))
-    veil.m_corners.push_back(paper.spotOf(corner).at);
-  if (turningArea(veil.m_corners) < 0)
-    std::reverse(veil.m_corners.begin(), veil.m_corners.end());
-  return veil;
+  veil.m_corners = silhouetteCorners(ball, paper);
+  return veil.m_corners.size() < 3 ? std::nullopt : std::optional(std::move(veil));
 }
 
 void BallVeil::addChanges(const SightedPiece &piece, const Paper &paper, std::vector<double> &parts) const {
@@ -221,9 +239,9 @@ AmongVeils AmongVeils::with(const AmongVeils &other) const {
   return both;
 }
 
-AmongVeils Veils::standingOf(const Place &place, const std::vector<std::size_t> &numbers) const {
+AmongVeils Veils::standingOf(const Place &place) const {
   AmongVeils among;
-  for (const std::size_t number : numbers) {
+  for (const std::size_t number : near(boxAround({m_paper.spotOf(place).at}))) {
     const Standing standing =
         std::visit([&](const auto &veil) { return veil.standingOf(place, m_paper); }, m_veils[number]);
     if (standing != Standing::Aside)
@@ -232,26 +250,48 @@ AmongVeils Veils::standingOf(const Place &place, const std::vector<std::size_t> 
   return among;
 }
 
-AmongVeils Veils::standingOf(const Place &place) const {
-  return standingOf(place, near(boxAround({m_paper.spotOf(place).at})));
+std::vector<Veils::Stay> Veils::staysOf(const SightedPiece &piece) const {
+  std::vector<Stay> stays;
+  std::vector<double> parts;
+  for (const std::size_t number :
+       near(boxAround({m_paper.spotOf(piece.from).at, m_paper.spotOf(piece.to).at}))) {
+    parts.assign({0, 1});
+    std::visit([&](const auto &veil) { veil.addChanges(piece, m_paper, parts); }, m_veils[number]);
+    parts.erase(
+        std::remove_if(parts.begin(), parts.end(), [](double part) { return !(part >= 0 && part <= 1); }),
+        parts.end());
+    std::sort(parts.begin(), parts.end());
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      if (parts[i] <= parts[i - 1])
+        continue;
+      const Place middle = glm::mix(piece.from, piece.to, (parts[i - 1] + parts[i]) / 2);
+      const Standing standing =
+          std::visit([&](const auto &veil) { return veil.standingOf(middle, m_paper); }, m_veils[number]);
+      if (standing != Standing::Aside)
+        stays.push_back({parts[i - 1], parts[i], number, standing});
+    }
+  }
+  return stays;
 }
 
 std::vector<StandingSpan> Veils::spansOf(const SightedPiece &piece) const {
-  const std::vector<std::size_t> numbers =
-      near(boxAround({m_paper.spotOf(piece.from).at, m_paper.spotOf(piece.to).at}));
+  const std::vector<Stay> stays = staysOf(piece);
   std::vector<double> parts{0, 1};
-  for (const std::size_t number : numbers)
-    std::visit([&](const auto &veil) { veil.addChanges(piece, m_paper, parts); }, m_veils[number]);
-  parts.erase(
-      std::remove_if(parts.begin(), parts.end(), [](double part) { return !(part >= 0 && part <= 1); }),
-      parts.end());
+  for (const Stay &stay : stays) {
+    parts.push_back(stay.begin);
+    parts.push_back(stay.end);
+  }
   std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  m_asked += parts.size() * stays.size();
+  if (m_asked > mostAsked)
+    return {StandingSpan{}};
   std::vector<StandingSpan> spans;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (parts[i] <= parts[i - 1])
-      continue;
-    const Place middle = glm::mix(piece.from, piece.to, (parts[i - 1] + parts[i]) / 2);
-    StandingSpan span{parts[i - 1], parts[i], standingOf(middle, numbers)};
+    StandingSpan span{parts[i - 1], parts[i]};
+    for (const Stay &stay : stays)
+      if (stay.begin <= span.begin && stay.end >= span.end)
+        (stay.standing == Standing::Before ? span.veils.before : span.veils.behind).insert(stay.veil);
     if (!spans.empty() && spans.back().veils == span.veils)
       spans.back().end = span.end;
     else

@@ -109,8 +109,15 @@ public:
   [[nodiscard]] AmongVeils standingOf(const Place &place) const;
 
 private:
+  /// A part of the way of a piece in which it stands in one way to one veil.
+  struct Stay {
+    double begin;
+    double end;
+    std::size_t veil;
+    Standing standing;
+  };
   [[nodiscard]] std::vector<std::size_t> near(const PixelBox &box) const;
-  [[nodiscard]] AmongVeils standingOf(const Place &place, const std::vector<std::size_t> &numbers) const;
+  [[nodiscard]] std::vector<Stay> staysOf(const SightedPiece &piece) const;
 
   const Paper &m_paper;
   std::vector<Veil> m_veils;

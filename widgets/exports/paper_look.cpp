@@ -1,0 +1,24 @@
+#include "widgets/exports/paper_look.h"
+
+#include "widgets/picture/labels/label_requests.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// A page is so many pixels wide: labels stand on whole ones, which are finer than what is printed.
+constexpr int pixelsAcross = 4800;
+/// No page is higher than so many times its width.
+constexpr double steepest = 10;
+
+} // namespace
+
+View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme) {
+  const double heightPerWidth = std::min(static_cast<double>(shape.height) / shape.width, steepest);
+  const int height = std::max(1, static_cast<int>(std::lround(pixelsAcross * heightPerWidth)));
+  return {{}, {pixelsAcross, height}, typeSize / (markTextSize * theme.textScale) * pixelsAcross / width};
+}
+
+} // namespace halfspace
