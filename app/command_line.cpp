@@ -5,12 +5,14 @@
 #include "app/parse_refusal.h"
 #include "lessons/guess.h"
 #include "lessons/words.h"
+#include "widgets/exports/format.h"
 #include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/scene/offscreen.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
@@ -82,7 +84,7 @@ std::optional<NumberedFile> parseNumberedFile(const std::string &file) {
                       file.substr(end + 1)};
 }
 
-/// Whether a file's name promises a PNG picture, or nothing.
+/// Whether a file's name promises a picture of pixels, or nothing.
 bool namesPng(const std::string &file) {
   std::string suffix = std::filesystem::path(file).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
@@ -96,6 +98,47 @@ std::string themeNames(const std::string &separator) {
     names += (names.empty() ? "" : separator) + theme.name;
   return names;
 }
+
+/// PNG, SVG, PDF …
+std::string formatNames(const std::string &separator) {
+  std::string names = "PNG";
+  for (const ExportFormat &format : exportFormats())
+    names += separator + format.name;
+  return names;
+}
+
+/// .png, .svg, .pdf …
+std::string formatEndings(const std::string &separator) {
+  std::string endings = ".png";
+  for (const ExportFormat &format : exportFormats())
+    endings += separator + format.ending;
+  return endings;
+}
+
+/// A positive length in points: 8cm, 80mm or 226pt.
+std::optional<double> parseLength(std::string_view text) {
+  double value = 0;
+  const auto [unit, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !(value > 0))
+    return {};
+  const std::string_view rest = text.substr(static_cast<std::size_t>(unit - text.data()));
+  for (const auto &[name, points] :
+       {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerCentimetre / 10}, {"pt", 1.0}})
+    if (rest == name)
+      return value * points;
+  return {};
+}
+
+/// Smaller and larger pages and type are for nobody, in points.
+constexpr double leastWidth = pointsPerCentimetre;
+constexpr double mostWidth = 100 * pointsPerCentimetre;
+constexpr double leastType = 3;
+constexpr double mostType = 72;
+
+/// How what is hidden may be drawn, by its word.
+constexpr std::array hiddenWords{std::pair("dashed", HiddenLines::Dashed),
+                                 std::pair("paler", HiddenLines::Paler),
+                                 std::pair("left-out", HiddenLines::LeftOut)};
 
 /// What CLI11 writes into while it parses.
 struct Arguments {
@@ -113,6 +156,9 @@ struct Arguments {
   int step = 0;
   std::string frame;
   std::string frames;
+  std::string width = "12cm";
+  std::string typeSize = "9pt";
+  std::string hidden = "dashed";
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -161,13 +207,17 @@ CLI::App *addReadMesh(CLI::App &app, ReadMeshCommand &command) {
 }
 
 CLI::App *addRender(CLI::App &app, Arguments &arguments) {
-  auto *render = app.add_subcommand("render", words("Draw the figure as a PNG picture; needs no display"));
+  auto *render = app.add_subcommand(
+      "render", words("Draw the figure as a picture, of pixels or of vectors; needs no display"));
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
-  render->add_option("-o,--output", command.output, words("The PNG file to write"))
+  render
+      ->add_option(
+          "-o,--output", command.output,
+          words("The file to write; its ending says how: {endings}", {{"endings", formatEndings(", ")}}))
       ->type_name("FILE")
       ->required();
-  render->add_option("--size", arguments.size, words("Its sides in pixels"))
+  render->add_option("--size", arguments.size, words("Its sides in pixels; of vectors, its shape"))
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();
   render->add_flag("--transparent", command.transparent, words("No background"));
@@ -189,7 +239,36 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
                    words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
       ->type_name("A:B")
       ->excludes(frame);
+  render->add_option("--width", arguments.width, words("How wide a figure of vectors is, in cm, mm or pt"))
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  render->add_option("--text", arguments.typeSize, words("The size of its type"))
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  render
+      ->add_option("--hidden", arguments.hidden,
+                   words("How its lines are drawn where a face stands before them"))
+      ->type_name("dashed|paler|left-out")
+      ->capture_default_str();
   return render;
+}
+
+/// What figures of vectors are asked to be; or a complaint.
+std::variant<PaperCommand, PrintCommand> paperOf(const Arguments &arguments) {
+  const auto width = parseLength(arguments.width);
+  if (!width || *width < leastWidth || *width > mostWidth)
+    return complaint(words("--width takes a length from 1cm to 100cm, as 8cm, 80mm or 227pt, not “{width}”.",
+                           {{"width", arguments.width}}));
+  const auto typeSize = parseLength(arguments.typeSize);
+  if (!typeSize || *typeSize < leastType || *typeSize > mostType)
+    return complaint(
+        words("--text takes a size of type from 3pt to 72pt, not “{size}”.", {{"size", arguments.typeSize}}));
+  const auto hidden = std::find_if(hiddenWords.begin(), hiddenWords.end(),
+                                   [&](const auto &word) { return arguments.hidden == word.first; });
+  if (hidden == hiddenWords.end())
+    return complaint(
+        words("--hidden takes dashed, paler or left-out, not “{hidden}”.", {{"hidden", arguments.hidden}}));
+  return PaperCommand{*width, *typeSize, hidden->second};
 }
 
 /// `render` is where the arguments come from.
@@ -201,9 +280,19 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   if (!size)
     return complaint(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
                            {{"largest", std::to_string(maxPictureSide)}, {"size", arguments.size}}));
-  if (!namesPng(command.output))
-    return complaint(words("Pictures are written as PNG: let the name end in .png, not as “{file}” does.",
-                           {{"file", command.output}}));
+  if (!namesPng(command.output) && !formatOfFile(command.output))
+    return complaint(
+        words("Figures are written as {formats}: let the name end in {endings}, not as “{file}” does.",
+              {{"formats", formatNames(", ")}, {"endings", formatEndings(", ")}, {"file", command.output}}));
+  for (const char *option : {"--width", "--text", "--hidden"})
+    if (render.count(option) > 0 && namesPng(command.output))
+      return complaint(
+          words("{option} is for figures of vectors: a PNG picture has the size that --size says.",
+                {{"option", option}}));
+  const auto paper = paperOf(arguments);
+  if (const auto *refusal = std::get_if<PrintCommand>(&paper))
+    return *refusal;
+  command.paper = std::get<PaperCommand>(paper);
   const Theme *theme = findTheme(arguments.theme);
   if (!theme)
     return complaint(words("There is no theme “{theme}”. The themes are {themes}.",

@@ -1,6 +1,7 @@
 // The command line: what was asked for, before anything is done about it.
 #pragma once
 
+#include "widgets/exports/paper_look.h"
 #include "widgets/picture/camera.h"
 #include "widgets/picture/theme.h"
 
@@ -53,6 +54,13 @@ struct NumberedFile {
   std::string behind;
 };
 
+/// How a figure is drawn that is made of vectors.
+struct PaperCommand {
+  double width = 12 * pointsPerCentimetre; ///< of the page, in points
+  double typeSize = 9;                     ///< of the labels of marks, in points
+  HiddenLines hidden = HiddenLines::Dashed;
+};
+
 struct RenderCommand {
   std::string subject;
   std::vector<std::string> assignments;
@@ -66,6 +74,7 @@ struct RenderCommand {
                            ///< whole figure of a lesson, or, of frames, the flight's step
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
   std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
+  PaperCommand paper{};                        ///< for figures of vectors
 };
 
 struct EvalCommand {

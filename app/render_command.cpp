@@ -1,11 +1,16 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
 #include "app/standard_streams.h"
+#include "lessons/files/write_file.h"
 #include "lessons/lesson/nearest_step.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
+#include "widgets/exports/draw_shapes.h"
+#include "widgets/exports/format.h"
 #include "widgets/picture/camera_views.h"
+#include "widgets/picture/composer.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_picture.h"
 #include "widgets/picture/lesson_picture.h"
@@ -61,15 +66,31 @@ public:
   virtual ~Pictures() = default;
   /// From now on they show what came after this.
   virtual void begin(const Evaluation &evaluation) = 0;
+  /// Draws one into a file.
+  [[nodiscard]] virtual std::optional<Problem> write(const Evaluation &evaluation,
+                                                     const std::string &file) = 0;
+};
+
+/// Pictures of pixels.
+class PixelPictures : public Pictures {
+public:
+  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
+    const auto picture = draw(evaluation);
+    return picture ? writePng(*picture, file) : picture.problem();
+  }
+
+private:
   [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
 };
 
 /// Flat pictures; each is laid on its page by itself.
-class FlatPictures : public Pictures {
+class FlatPictures : public PixelPictures {
 public:
   explicit FlatPictures(const Motif &motif) : m_motif(motif) {}
 
   void begin(const Evaluation &) override {}
+
+private:
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
     const auto &[command, opened, step, stage] = m_motif;
     const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
@@ -81,27 +102,27 @@ public:
     return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, m_typesetter);
   }
 
-private:
   Motif m_motif;
   Typesetter m_typesetter;
 };
 
 /// Where a scene is looked at from: as somebody had put the camera when the session was saved, or as its
 /// lesson begins.
-Camera cameraFor(const Motif &motif, const Evaluation &evaluation) {
-  const auto &[command, opened, step, stage] = motif;
-  if (opened.session.view)
-    return cameraOf(*opened.session.view);
-  return homeOf(opened.lesson, evaluation, stage, command.size, ownPixelRatio(command.size));
+Camera cameraFor(const Motif &motif, const Evaluation &evaluation, PixelSize size, double pixelRatio) {
+  if (const auto &view = motif.opened.session.view)
+    return cameraOf(*view);
+  return homeOf(motif.opened.lesson, evaluation, motif.stage, size, pixelRatio);
 }
 
 /// Pictures in space: those of a flight are seen from one place, and their labels stand where they stand at
 /// its beginning.
-class SpacePictures : public Pictures {
+class SpacePictures : public PixelPictures {
 public:
   SpacePictures(const Motif &motif, const Camera &camera) : m_motif(motif), m_camera(camera) {}
 
   void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
+
+private:
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
     PictureRequest request;
     request.content = content(evaluation);
@@ -117,8 +138,6 @@ public:
       printError(overfullWords());
     return RgbaImage(std::move(*picture));
   }
-
-private:
   [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
     return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
   }
@@ -131,10 +150,58 @@ private:
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };
 
-std::unique_ptr<Pictures> picturesOf(const Motif &motif, const Evaluation &evaluation) {
-  if (motif.command.flat)
-    return std::make_unique<FlatPictures>(motif);
-  return std::make_unique<SpacePictures>(motif, cameraFor(motif, evaluation));
+/// Figures of vectors in space, seen from one place likewise.
+class VectorPictures : public Pictures {
+public:
+  VectorPictures(const Motif &motif, const ExportFormat &format, View view)
+      : m_motif(motif), m_format(format), m_composer(labelSetter(m_typesetter.fonts())) {
+    m_composer.setTheme(motif.command.theme);
+    m_composer.setBackgroundVisible(!motif.command.transparent);
+    m_composer.setView(std::move(view));
+  }
+
+  void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
+  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
+    const auto &[command, opened, step, stage] = m_motif;
+    m_composer.forgetLabels();
+    if (m_beginning) {
+      m_composer.setContent(*m_beginning);
+      m_composer.compose();
+    }
+    m_composer.setContent(content(evaluation));
+    Drawing drawing =
+        drawingOf(m_composer.compose(), {command.paper.width, command.paper.hidden, !command.transparent});
+    drawing.title = opened.lesson ? opened.lesson->title : command.subject;
+    drawing.description = shownIn(step ? *step : LessonStep(), evaluation).description;
+    return writeFile(file, m_format.write(drawing, m_typesetter.fonts()));
+  }
+
+private:
+  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
+    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
+  }
+
+  Motif m_motif;
+  const ExportFormat &m_format;
+  std::optional<SceneContent> m_beginning;
+  Typesetter m_typesetter;
+  Composer m_composer;
+};
+
+Result<std::unique_ptr<Pictures>> picturesOf(const Motif &motif, const Evaluation &evaluation) {
+  using Made = std::unique_ptr<Pictures>;
+  const RenderCommand &command = motif.command;
+  if (const ExportFormat *format = formatOfFile(command.output)) {
+    if (command.flat)
+      return Problem{words("The flat picture is drawn as PNG alone."), "", 0, "--flat"};
+    View view = viewOnPaper(command.size, command.paper.width, command.paper.typeSize, command.theme);
+    view.camera = cameraFor(motif, evaluation, view.size, view.pixelRatio);
+    return Made(std::make_unique<VectorPictures>(motif, *format, std::move(view)));
+  }
+  if (command.flat)
+    return Made(std::make_unique<FlatPictures>(motif));
+  const Camera camera = cameraFor(motif, evaluation, command.size, ownPixelRatio(command.size));
+  return Made(std::make_unique<SpacePictures>(motif, camera));
 }
 
 /// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
@@ -179,20 +246,11 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
   for (int frame = first; frame <= last; ++frame) {
     goToFrame(frame, *number, scene);
     evaluation = evaluate(scene, evaluation);
-    const auto picture = pictures.draw(evaluation);
-    if (!picture)
-      return picture.problem();
     const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
-    if (auto problem = writePng(*picture, file))
+    if (auto problem = pictures.write(evaluation, file))
       return problem;
   }
   return {};
-}
-
-std::optional<Problem> writePicture(const RenderCommand &command, const Evaluation &evaluation,
-                                    Pictures &pictures) {
-  const auto picture = pictures.draw(evaluation);
-  return picture ? writePng(*picture, command.output) : picture.problem();
 }
 
 } // namespace
@@ -209,8 +267,10 @@ int runRender(const RenderCommand &command) {
   Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const auto pictures = picturesOf({command, *opened, *step, stage}, evaluation);
-  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), *pictures)
-                                      : writePicture(command, evaluation, *pictures);
+  if (!pictures)
+    return fail(pictures.problem());
+  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), **pictures)
+                                      : (*pictures)->write(evaluation, command.output);
   return problem ? fail(*problem) : 0;
 }
 

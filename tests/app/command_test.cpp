@@ -207,7 +207,7 @@ TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
   expectRefused("render signed-distance -o a.png --size 0x10", "--size");
   expectRefused("render signed-distance -o a.png --size wide", "--size");
   expectRefused("render signed-distance -o a.png --size 99999x99999", "--size");
-  expectRefused("render signed-distance -o a.pdf", ".png");
+  expectRefused("render signed-distance -o a.doc", ".png, .svg, .pdf, .tex");
   EXPECT_FALSE(fs::exists(inFolder("a.pdf")));
   expectRefused("render signed-distance -o a.png --theme neon", "neon");
   expectRefused("render signed-distance -o a.png --step 0", "--step");
