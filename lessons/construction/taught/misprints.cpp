@@ -231,8 +231,7 @@ WorkingLine distanceLine(const Out &at) {
   return asked(
       withNumbers((at.f == dot(at.n, at.Q - at.P0)) == at.a * at.Qx + at.b * at.Qy + at.c * at.Qz - at.D),
       words("Right. Divided by |n|, it is the signed distance."),
-      {{-at.f, words("{answer} has the wrong sign: it is the printed line D − n·Q, with all its "
-                     "signs.")}});
+      {{-at.f, words("{answer} has the wrong sign: it is D − n·Q.")}});
 }
 
 /// A line of the notes, and whether it comes to the right result.
