@@ -98,7 +98,7 @@ TEST_F(Program, ExplainAsJson_GivesEveryLineInLatexAndInPlainText) {
   for (const Json &line : json.at("working"))
     for (const char *piece : {"symbols", "numbers", "result", "text"})
       EXPECT_EQ(line.at(piece).get<std::string>().find("\\mark"), std::string::npos) << line;
-  EXPECT_EQ(json.at("working").at(3).at("text"), "dist = f(Q)/|n| = 30/3 = 10");
+  EXPECT_EQ(json.at("working").at(5).at("text"), "dist = f(Q)/|n| = 30/3 = 10");
 }
 
 TEST_F(Program, ExplainAsText_IsTheDefaultAndEndsWithTheCase) {
