@@ -55,25 +55,89 @@ std::optional<Lack> lackOf(const Condition &condition, const Evaluation &evaluat
   return lack.rationalPart() == 0 ? std::optional(Lack{lack.rootFactor(), lack.radicand()}) : std::nullopt;
 }
 
-/// Where the condition holds, if what is lacking changes in proportion to the way of the handle.
-std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
-  // Three ways along the axes tell the proportion, a fourth, oblique one whether there is any.
-  const std::array ways{ExactVec3(0), ExactVec3(1, 0, 0), ExactVec3(0, 1, 0), ExactVec3(0, 0, 1),
-                        ExactVec3(-2, 3, 5)};
-  std::vector<Rational> lacking;
+/// A number that changes in proportion to the way of the handle.
+struct Proportional {
+  Rational atStart;
+  ExactVec3 change; ///< by each unit along the axes
+
+  [[nodiscard]] Rational after(const ExactVec3 &way) const { return atStart + dot(change, way); }
+  /// Where it comes to a value; nothing where it never changes.
+  [[nodiscard]] std::optional<Flat> placesOf(const Rational &value, const ExactVec3 &start) const {
+    if (isZero(change))
+      return {};
+    return Flat::plane(start - change * Rational((atStart - value) / dot(change, change)), change);
+  }
+};
+
+// No way and one along each axis tell the proportion, the oblique ones whether there is any.
+const std::array ways{ExactVec3(0),       ExactVec3(1, 0, 0),  ExactVec3(0, 1, 0),
+                      ExactVec3(0, 0, 1), ExactVec3(-2, 3, 5), ExactVec3(4, 3, -7)};
+using AfterWays = std::array<Rational, ways.size()>;
+constexpr std::size_t firstOblique = 4;
+
+Proportional throughFirst(const AfterWays &values) {
+  return {values[0], ExactVec3(values[1] - values[0], values[2] - values[0], values[3] - values[0])};
+}
+
+std::optional<Proportional> proportionalThrough(const AfterWays &values) {
+  const Proportional number = throughFirst(values);
+  for (std::size_t i = firstOblique; i < ways.size(); ++i)
+    if (number.after(ways.at(i)) != values.at(i))
+      return {};
+  return number;
+}
+
+/// The number with a sign that a volume or another number without one belongs to.
+std::optional<Proportional> proportionalUpToSign(const AfterWays &values) {
+  if (std::any_of(values.begin(), values.end(), [](const Rational &value) { return value < 0; }))
+    return {};
+  constexpr unsigned choices = 8;
+  for (unsigned choice = 0; choice < choices; ++choice) {
+    AfterWays withSigns = values;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((choice >> axis & 1U) != 0)
+        withSigns.at(axis + 1) *= -1;
+    const Proportional number = throughFirst(withSigns);
+    bool fits = true;
+    for (std::size_t i = firstOblique; i < ways.size(); ++i)
+      fits = fits && abs(number.after(ways.at(i))) == values.at(i);
+    if (fits)
+      return number;
+  }
+  return {};
+}
+
+/// Where the condition holds, if what is lacking changes in proportion to the way of the handle: a plane; or
+/// two, where only the number with a sign does so.
+std::vector<Flat> placesOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
+  AfterWays lacking;
   std::optional<Rational> radicand;
-  for (const ExactVec3 &way : ways) {
-    const auto lack = lackOf(condition, tried.at(start + way));
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const auto lack = lackOf(condition, tried.at(start + ways.at(i)));
     if (!lack || (lack->amount != 0 && radicand && *radicand != lack->radicand))
       return {};
     if (lack->amount != 0)
       radicand = lack->radicand;
-    lacking.push_back(lack->amount);
+    lacking.at(i) = lack->amount;
   }
-  const ExactVec3 change(lacking[1] - lacking[0], lacking[2] - lacking[0], lacking[3] - lacking[0]);
-  if (isZero(change) || lacking[0] + dot(change, ways[4]) != lacking[4])
+  std::vector<Flat> places;
+  const auto add = [&](const std::optional<Flat> &more) {
+    if (more)
+      places.push_back(*more);
+  };
+  if (const auto lack = proportionalThrough(lacking)) {
+    add(lack->placesOf(0, start));
+    return places;
+  }
+  if (radicand != Rational(1))
     return {};
-  return Flat::plane(start - change * Rational(lacking[0] / dot(change, change)), change);
+  const Rational against = *parseRational(condition.against);
+  for (Rational &value : lacking)
+    value += against;
+  if (const auto number = proportionalUpToSign(lacking))
+    for (const Rational &value : {against, Rational(-against)})
+      add(number->placesOf(value, start));
+  return places;
 }
 
 /// What the probes around a start come to beside a number that a condition asks for: as they are, or squared
@@ -110,36 +174,48 @@ std::string wordsOf(const Conditions &conditions, const Evaluation &evaluation) 
   return told;
 }
 
-std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const Tried> &tried,
-                                   const ExactVec3 &start) {
-  SnapTarget target;
+/// What two lists of alternatives have in common.
+std::vector<Flat> intersections(const std::vector<Flat> &some, const std::vector<Flat> &others) {
+  std::vector<Flat> common;
+  for (const Flat &one : some)
+    for (const Flat &other : others)
+      if (const auto both = Flat::intersection(one, other))
+        common.push_back(*both);
+  return common;
+}
+
+/// The places where a task's numbers are as it asks, each alternative a target of its own.
+std::vector<SnapTarget> targetsOf(const Task &task, const std::shared_ptr<const Tried> &tried,
+                                  const ExactVec3 &start) {
+  std::vector<Flat> places{Flat()};
+  std::optional<Quadric> surface;
   Conditions met;
   for (const Condition &condition : task.conditions) {
     if (!asksForANumber(condition))
       continue;
-    if (const auto places = placesOf(condition, *tried, start)) {
-      const auto common = Flat::intersection(target.places, *places);
-      if (!common)
-        return {};
-      target.places = *common;
-    } else if (!target.surface) {
-      target.surface = surfaceOf(condition, *tried, start);
-      if (!target.surface)
-        continue;
-    } else {
+    if (const auto flats = placesOf(condition, *tried, start); !flats.empty())
+      places = intersections(places, flats);
+    else if (surface)
       continue;
-    }
+    else if (surface = surfaceOf(condition, *tried, start); !surface)
+      continue;
     met.push_back(condition);
   }
+  std::vector<SnapTarget> targets;
   if (met.empty())
-    return {};
-  target.name = wordsOf(met, tried->atStart());
-  target.counts = [tried, met](const ExactVec3 &place) {
-    const Evaluation there = tried->at(place);
-    return std::all_of(met.begin(), met.end(),
-                       [&](const Condition &condition) { return holds(condition, there); });
-  };
-  return target;
+    return targets;
+  for (const Flat &each : places) {
+    SnapTarget &target = targets.emplace_back();
+    target.places = each;
+    target.surface = surface;
+    target.name = wordsOf(met, tried->atStart());
+    target.counts = [tried, met](const ExactVec3 &place) {
+      const Evaluation there = tried->at(place);
+      return std::all_of(met.begin(), met.end(),
+                         [&](const Condition &condition) { return holds(condition, there); });
+    };
+  }
+  return targets;
 }
 
 } // namespace
@@ -151,8 +227,8 @@ std::vector<SnapTarget> taskTargets(const std::vector<Task> &tasks, const Scene 
     return targets;
   const auto tried = std::make_shared<const Tried>(scene, handle);
   for (const Task &task : tasks)
-    if (auto target = targetOf(task, tried, handle.at))
-      targets.push_back(std::move(*target));
+    for (SnapTarget &target : targetsOf(task, tried, handle.at))
+      targets.push_back(std::move(target));
   return targets;
 }
 

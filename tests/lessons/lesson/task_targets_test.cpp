@@ -54,6 +54,27 @@ TEST(TaskTargets, OfANumberThatDoesNotGoInProportion_AreNone) {
   EXPECT_TRUE(targetsFor("signed_distance = 5", distanceScene(), "E.n").empty());
 }
 
+TEST(TaskTargets, OfAVolume_AreOnBothSidesOfTheBase) {
+  // D = 4 w_z, so that the volume of the tetrahedron changes its course one step below the start.
+  const Scene scene{{{"u", VectorObject{{0, 0, 0}, {2, 0, 0}}},
+                     {"v", VectorObject{{0, 0, 0}, {0, 2, 0}}},
+                     {"w", VectorObject{{0, 0, 0}, {3, 1, q(3, 4)}}},
+                     {"box", ConstructionUse{"determinant", {{"u", "u"}, {"v", "v"}, {"w", "w"}}}}}};
+  const auto targets = targetsFor("tetrahedron = 5 and orientation = left-handed", scene, "w.v");
+  ASSERT_EQ(targets.size(), 2U);
+  int below = 0;
+  for (const SnapTarget &target : targets) {
+    EXPECT_EQ(target.places.dimension(), 2U);
+    for (const Rational &height : {q(15, 2), q(-15, 2)})
+      if (target.places.contains({-4, 7, height})) {
+        EXPECT_TRUE(target.counts({-4, 7, height}));
+        below += height < 0 ? 1 : 0;
+      }
+    EXPECT_FALSE(target.places.contains({-4, 7, 5}));
+  }
+  EXPECT_EQ(below, 1);
+}
+
 TEST(TaskTargets, OfALength_AreOnASphere) {
   const Scene scene{{{"v", VectorObject{{1, 2, 3}, {2, 3, 6}}},
                      {"w", VectorObject{{1, 2, 3}, {1, 0, 0}}},
