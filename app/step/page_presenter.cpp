@@ -58,10 +58,10 @@ void PagePresenter::judge() {
   const LessonStep &step = m_model.step();
   StepProgress &done = m_progress.ofStep();
   done.tasks.observe(tasksOf(step), m_model.evaluation());
-  m_page.setTaskStates(done.tasks.states());
-  if (const Prediction *question = predictionOf(step))
+  if (const Prediction *question = predictionOf(step)) // first: it may grow, and push the tasks down
     m_page.setAnswer(
         GivenAnswer{*done.chosen, done.right, rightChoice(*question, m_model.evaluation()) == done.right});
+  m_page.setTaskStates(done.tasks.states());
 }
 
 void PagePresenter::followGesture() {
