@@ -97,7 +97,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-plane-dot", "case = parallel", {"L.r"}},
       {"ray-plane-dot", "case = in-plane", {"L.Q"}},
       {"ray-plane-dot", "case = hit", {"L.r"}},
-      {"ray-plane-dot", "case = hit and denominator > 0", {"L.Q"}},
+      {"ray-plane-dot", "case = hit and denominator > 0 and t > 0", {"L.Q"}},
       {"ray-plane-picture", "D < 0", {"G.offset"}},
       {"ray-plane-picture", "denominator < 0", {"L.r"}},
       {"ray-plane-picture", "numerator = 0 and case = hit", {"L.Q"}},
