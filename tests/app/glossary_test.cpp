@@ -101,7 +101,7 @@ private slots:
   void termAmongTheWords_clicked_isLookedUp_andLeadsToItsStep() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.model().setStep(3);
+    fixture.model().setStep(4);
     QTRY_VERIFY(linkTo("term:dot product", fixture).first); // once the words have their place
     const auto [label, place] = linkTo("term:dot product", fixture);
     QTest::mouseClick(label, Qt::LeftButton, {}, place);
