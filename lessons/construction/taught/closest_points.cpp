@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <array>
-
 namespace halfspace {
 namespace {
 
@@ -337,7 +335,7 @@ void addTurned(const Out &at, std::vector<SpecialCase> &all) {
   const auto parts = projectVector(at.second.direction, at.first.direction);
   if (isZero(parts.projection))
     return; // it is perpendicular already, and would vanish along the first
-  all.push_back({is("vv", "0"), words("The lines would be perpendicular."), "h",
+  all.push_back({is("gh", "0"), words("The lines would be perpendicular."), "h",
                  LineObject{at.second.point, parts.rejection}});
   const bool isOnFirst =
       measurePointLine(at.second.point, at.first.point, at.first.direction).which == PointLineCase::On;
@@ -373,7 +371,7 @@ Construction closest_points() {
        .letters = {"w", "H", "R", "n", "s", "t", "V", "dist"},
        .cases = {"skew", "meet", "parallel", "coincident", "zero-direction"},
        .values = {{named::word("back", {"start", "nearer", "closest"}), &Out::areLines, backValue},
-                  {named::number("vv"), &Out::areLines, [](const Out &at) { return dot(at.g.v, at.h.v); }},
+                  {named::number("gh"), &Out::areLines, [](const Out &at) { return dot(at.g.v, at.h.v); }},
                   {named::number("hh"), &Out::areLines, [](const Out &at) { return dot(at.h.v, at.h.v); }},
                   {named::number("nn"), &Out::areLines, [](const Out &at) { return dot(at.n, at.n); }},
                   {named::number("s"), &Out::hasPair, &Out::s},

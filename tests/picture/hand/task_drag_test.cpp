@@ -124,7 +124,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"shadow", "lamp_A = parallel", {"A"}},
       {"shadow", "sun_A = plane-first and k_A > 0 and k_A < 1", {"A"}},
       {"closest-points", "back = start", {"g.A"}},
-      {"closest-points", "vv = 0", {"h.v"}},
+      {"closest-points", "gh = 0", {"h.v"}},
       {"closest-points", "s > 2", {"h.v"}},
       {"closest-points", "case = meet", {"h.A"}},
       {"closest-points", "distance = 2", {"h.A"}},

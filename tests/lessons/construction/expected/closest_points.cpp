@@ -97,7 +97,7 @@ Recomputed recompute(Objects objects) {
   if (square == 0)
     expected.vanished.insert("it.dist");
   expected.values = {{"back", backName(pair)},
-                     {"vv", number(product(pair.g.direction, pair.h.direction))},
+                     {"gh", number(product(pair.g.direction, pair.h.direction))},
                      {"hh", number(product(pair.h.direction, pair.h.direction))},
                      {"nn", number(product(pair.n, pair.n))},
                      {"distance", SignedSquares{square}},
