@@ -1,6 +1,7 @@
 #include "lessons/lesson/new_numbers/renewal.h"
 
 #include "lessons/lesson/new_numbers/faces.h"
+#include "lessons/lesson/new_numbers/lighting.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/ray.h"
@@ -21,11 +22,6 @@ constexpr int mostAttempts = 100;
 // What is left to chance.
 constexpr int freelyOnceIn = 6; ///< regardless of what is looked for
 constexpr int alongOnceIn = 6;
-constexpr int levelOnceIn = 6;      ///< neighbours in light
-constexpr int shadowlessOnceIn = 6; ///< scenes that are lit
-
-/// How high a lamp is over the plane, in lengths of the normal.
-constexpr int lampHeight = 3;
 
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
@@ -43,8 +39,10 @@ public:
   Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors, bool isLit,
           bool keepsCornersOnALine)
       : m_dice(dice), m_planes(planes), m_lines(lines), m_vectors(vectors),
-        m_litSide(isLit ? dice.sign() : 0), m_isLitFreely(isLit && dice.once(shadowlessOnceIn)),
-        m_keepsCornersOnALine(keepsCornersOnALine) {}
+        m_keepsCornersOnALine(keepsCornersOnALine) {
+    if (isLit)
+      m_light.emplace(dice);
+  }
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
@@ -67,19 +65,14 @@ public:
     else if (const auto vector = objectAs<VectorObject>(object))
       m_drawnVectors.push_back(*vector);
     else if (isLit() && kindOf(object) == PointObject::kind)
-      addLitPoint();
+      m_light->keepPoint();
   }
 
 private:
-  void addLitPoint() {
-    ++m_litPoints;
-    m_litHeight = m_height;
-  }
-
   void addPlane(const PlaneObject &plane) {
     m_nets.push_back(netOf(plane));
-    if (m_litSide != 0)
-      m_litPlane = m_nets.back();
+    if (m_light)
+      m_light->shineOnto(m_nets.back());
   }
 
   void draw(Object &object) {
@@ -131,10 +124,9 @@ private:
 
   void draw(PlaneObject &plane) {
     plane.point = m_dice.position();
-    const bool isForLight = m_litSide != 0;
-    if (m_planes < 2 && !isForLight)
+    if (m_planes < 2 && !m_light)
       plane.normal = m_dice.normal();
-    else if (isForLight || m_nets.empty())
+    else if (m_light || m_nets.empty())
       plane.normal = m_dice.shortestNormal();
     else
       drawBeside(m_nets.front(), plane);
@@ -205,7 +197,7 @@ private:
   /// divided; now and then they are at a right angle to it, or lie along it.
   void draw(VectorObject &vector) {
     if (isLit())
-      return drawLight(*m_litPlane, vector);
+      return m_light->draw(vector);
     const bool isFirst = m_drawnVectors.empty();
     vector.vector = m_vectors > 2 ? vectorOfThree() : m_dice.shortNormal();
     vector.start = isFirst ? m_dice.position() : m_drawnVectors.front().start;
@@ -216,17 +208,6 @@ private:
       vector.vector = m_dice.once(2) ? m_dice.shortNormal() : m_dice.shortestNormal() * Rational(2);
     if (m_dice.once(alongOnceIn))
       vector.vector = m_dice.once(2) ? stepAlong(first, 0, 1) : first * Rational(2 * m_dice.sign());
-  }
-
-  /// A step leads as far along the normal as this is long, towards the points in light or away from them.
-  void drawLight(const Net &plane, VectorObject &light) {
-    light.start = m_dice.position();
-    const auto isWhole = [&] {
-      return abs(dot(plane.normal, light.vector)) == dot(plane.normal, plane.normal);
-    };
-    light.vector = m_dice.direction(longestStep);
-    for (int attempt = 0; attempt < mostAttempts && !isWhole(); ++attempt)
-      light.vector = m_dice.direction(longestStep);
   }
 
   /// The area between the first two is a whole number: the height of the others over it is divided by that.
@@ -277,7 +258,7 @@ private:
   /// triangle.
   void draw(PointObject &point) {
     if (isLit())
-      return drawInLight(*m_litPlane, point);
+      return m_light->draw(point);
     point.at = m_dice.position();
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
@@ -288,24 +269,6 @@ private:
     }
     const ExactVec3 foot = net->steps.size() == 1 ? stepsAlong(*net) : pointOf(*net, m_dice);
     point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
-  }
-
-  /// The first is a lamp, and the others are between it and the plane, so that they throw shadows; now and
-  /// then all are at any height.
-  void drawInLight(const Net &plane, PointObject &point) {
-    const ExactVec3 foot = m_litPoints == 0 ? plane.at : pointOf(plane, m_dice);
-    m_height = heightInLight();
-    point.at = foot + plane.normal * Rational(m_litSide * m_height);
-  }
-
-  /// In lengths of the normal. Most neighbours differ: the midpoint of equal ones is a special case.
-  int heightInLight() {
-    if (m_isLitFreely)
-      return m_dice.between(0, lampHeight);
-    if (m_litPoints == 0)
-      return lampHeight;
-    const bool isFirst = m_litPoints == 1;
-    return isFirst || m_dice.once(levelOnceIn) ? m_dice.between(1, lampHeight - 1) : lampHeight - m_litHeight;
   }
 
   /// A point of a line after some steps, forwards or backwards: often beyond the first.
@@ -340,7 +303,7 @@ private:
     ray.direction = step * Rational(m_dice.between(1, 2));
   }
 
-  [[nodiscard]] bool isLit() const { return m_litPlane.has_value(); }
+  [[nodiscard]] bool isLit() const { return m_light && m_light->hasPlane(); }
 
   const Net *aim() {
     if (m_nets.empty())
@@ -353,12 +316,7 @@ private:
   std::ptrdiff_t m_planes;
   std::ptrdiff_t m_lines;
   std::ptrdiff_t m_vectors;
-  int m_litSide; ///< of the plane, the side on which points are lit; 0 where no light shines
-  bool m_isLitFreely;
-  std::optional<Net> m_litPlane;
-  int m_litPoints = 0; ///< that have their numbers
-  int m_litHeight = 0; ///< of the last of them
-  int m_height = 0;    ///< of what was drawn last
+  std::optional<Lighting> m_light;
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
   std::optional<Net> m_face; ///< of the object that was drawn last, where one is looked for
