@@ -7,6 +7,8 @@
 #include "lessons/object/kinds/plane.h"
 #include "lessons/term/angle.h"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -149,11 +151,12 @@ void drawAngle(Figure &figure, const Out &at, const Place &corner, const Place &
     figure.add(ArcMark{std::move(angle), corner, normal, way});
 }
 
-/// The gauge has a line at 0, n·n, 2 n·n …, or only at each second, fifth, tenth … of them: not more than
-/// these can be told apart.
+// The gauge has a line at 0, n·n, 2 n·n …, or only at each second, fifth, tenth … of them: not more than
+// these can be told apart.
 constexpr int mostDivisions = 8;
 constexpr double divisionLength = 0.35; ///< in scene units, to both sides
 
+/// How many steps lead from one line of the gauge to the next: 1, 2, 5, 10, 20 …
 Rational strideOf(const Rational &divisions) {
   Rational decade = 1;
   for (;; decade *= 10)
@@ -162,7 +165,7 @@ Rational strideOf(const Rational &divisions) {
         return decade * factor;
 }
 
-/// Where f can be read off: through P0 along n, as far as Q is high, and one step farther at both ends.
+/// Where f can be read off: through P0 along n, at least one step to both sides of it, and past M.
 void drawGauge(Figure &figure, const Out &at) {
   const Rational low = std::min(floorOf(at.steps), Rational(-1));
   const Rational high = std::max(Rational(floorOf(at.steps) + 1), Rational(1));
@@ -232,7 +235,7 @@ Construction signed_distance() {
                   {named::word("side", {"positive", "negative", "on"}), &Out::hasPlane,
                    [](const Out &at) { return ToldValue(words("side"), wordOf(at.which)); }},
                   {named::word("along_x", {"nearer", "farther", "same"}), &Out::hasPlane, alongXValue},
-                  {named::number("height"), &Out::hasPlane,
+                  {named::number("steps"), &Out::hasPlane,
                    [](const Out &at) {
                      return ToldValue(words("steps {n} up to {Q}", at.letters), Surd(at.steps));
                    }},

@@ -79,7 +79,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"determinant", "tetrahedron = 5 and orientation = left-handed", {"w.v"}},
       {"signed-distance", "side = negative", {"Q"}},
       {"signed-distance", "side = on", {"Q"}},
-      {"signed-distance", "height = 1", {"Q"}},
+      {"signed-distance", "steps = 1", {"Q"}},
       {"signed-distance", "signed_distance = 5", {"Q"}},
       {"signed-distance", "cos_angle = 0", {"Q"}},
       {"signed-distance", "cos_angle < 0", {"Q"}},

@@ -36,7 +36,7 @@ Recomputed recompute(Objects objects) {
   expected.values["along_x"] = std::string(after * after < f * f   ? "nearer"
                                            : after * after > f * f ? "farther"
                                                                    : "same");
-  expected.values["height"] = number(Rational(f / square));
+  expected.values["steps"] = number(Rational(f / square));
   // Back from Q by what leads to its foot, seen from P0.
   expected.names["M"] = quantity(ExactVec3(E.point + (Q - foot)));
   expected.names["F"] = quantity(foot);
