@@ -2,10 +2,13 @@
 // one of its edges fall.
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/lit_points.h"
+#include "lessons/construction/parts/triangle_shadow.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace halfspace {
 namespace {
@@ -17,14 +20,6 @@ struct In : Naming {
   Given<PointObject> B;
   Given<PointObject> C;
   Given<VectorObject> r;
-};
-
-/// A shadow of the triangle: whole, flat where the light runs along the triangle, or none where a corner
-/// throws none.
-struct TriangleShadow {
-  std::vector<ExactVec3> corners;
-  bool falls = false;
-  [[nodiscard]] bool isFlat() const { return isZero(areaOf(corners)); }
 };
 
 struct Out : Computed<In>, PlaneTerms {
@@ -42,22 +37,23 @@ struct Out : Computed<In>, PlaneTerms {
   Term along = dot(r, n);
   Term M = drawnName(letter("M"), midpoint);
   Lights lights{in.E, in.r, in.Q};
+  /// The corners, and the midpoint of the edge from A to B.
   std::array<LitPoint, 4> points{litPoint(in, lights, "A", termOf(in.A)),
                                  litPoint(in, lights, "B", termOf(in.B)),
                                  litPoint(in, lights, "C", termOf(in.C)), litPoint(in, lights, "M", M)};
   const LitPoint &A = points[0];
   const LitPoint &B = points[1];
+  const LitPoint &C = points[2];
   const LitPoint &ofM = points[3];
-  TriangleShadow bySun{{A.bySun.place, B.bySun.place, points[2].bySun.place},
-                       A.bySun.falls() && B.bySun.falls() && points[2].bySun.falls()};
-  TriangleShadow byLamp{{A.byLamp.place, B.byLamp.place, points[2].byLamp.place},
-                        A.byLamp.falls() && B.byLamp.falls() && points[2].byLamp.falls()};
+  TriangleShadow bySun = triangleShadow({A.bySun, B.bySun, C.bySun});
+  TriangleShadow byLamp = triangleShadow({A.byLamp, B.byLamp, C.byLamp});
 
   /// Whether the places L(A), L(B) and L(M) tell a part: from a lamp in the plane they are all the same.
   bool hasPart = A.byLamp.crosses() && B.byLamp.crosses() && ofM.byLamp.crosses() && A.byLamp.t != 0;
   bool isOneShadow = hasPart && A.byLamp.place == B.byLamp.place;
   Rational share = hasPart ? Rational(A.byLamp.t / (A.byLamp.t + B.byLamp.t)) : Rational(0);
   bool isMiddle = share == Rational(1, 2);
+  bool isNearerToA = abs(share) < abs(Rational(1 - share)); ///< L(M) to L(A) than to L(B)
   Term p = ownName(letter("p"), share);
 };
 
@@ -178,9 +174,8 @@ std::string lampMiddleWords(const Out &at) {
     return words("It is the same point as {from} and {to}.", names);
   if (at.isMiddle)
     return words("The middle between {from} and {to}.", names);
-  return abs(at.share) < abs(1 - at.share)
-             ? words("Nearer to {from} than to {to}, so not the middle.", names)
-             : words("Nearer to {to} than to {from}, so not the middle.", names);
+  return at.isNearerToA ? words("Nearer to {from} than to {to}, so not the middle.", names)
+                        : words("Nearer to {to} than to {from}, so not the middle.", names);
 }
 
 constexpr std::array roles{"A", "B", "C", "M"};
@@ -214,30 +209,6 @@ LineTable<Out> lines() {
         {"lamp-middle", &Out::hasPart,
          [](const Out &at) { return withNumbers(at.ofM.L == at.A.L + at.p * (at.B.L - at.A.L)); },
          lampMiddleWords}}});
-}
-
-/// The pieces that lead around the points; those without a length are left out.
-void drawPieces(Figure &figure, const MarkBase &base, const std::vector<Place> &around) {
-  for (std::size_t i = 0; i + 1 < around.size(); ++i)
-    if (around[i] != around[i + 1]) {
-      MarkBase piece = base;
-      piece.id = partOf(base.id, i);
-      figure.add(SegmentMark{std::move(piece), around[i], around[i + 1]});
-    }
-}
-
-/// A triangle, or what is left of it where it is none.
-void drawTriangle(Figure &figure, const MarkBase &base, const std::vector<ExactVec3> &corners) {
-  std::vector<Place> places;
-  places.reserve(corners.size() + 1);
-  for (const ExactVec3 &corner : corners)
-    places.push_back(place(corner));
-  if (!isZero(areaOf(corners))) {
-    figure.add(PolygonMark{base, std::move(places)});
-    return;
-  }
-  places.push_back(places.front());
-  drawPieces(figure, base, places);
 }
 
 /// Both halves of the shadow of the edge, from A to M and on to B, each in the colour of its end.
@@ -345,18 +316,12 @@ std::vector<SpecialCase> nearby(const Out &at) {
   if (const auto turned = turnedOff(at.direction, at.normal))
     all.push_back({is("sun_A", "parallel"), words("The sunlight would run along the plane."), "r",
                    VectorObject{at.in.r.object.start, *turned}});
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    addCorner(at, at.points.at(corner), all);
+  for (const LitPoint *corner : {&at.A, &at.B, &at.C})
+    addCorner(at, *corner, all);
   addFlatShadows(at, all);
   addMiddle(at, at.A, at.B, all);
   addMiddle(at, at.B, at.A, all);
   return all;
-}
-
-Word wordOf(const TriangleShadow &shadow) {
-  if (!shadow.falls)
-    return {"none", words("not whole")};
-  return shadow.isFlat() ? Word{"flat", words("flat")} : Word{"triangle", words("a triangle")};
 }
 
 /// Which of L(A) and L(B) is nearer to L(M).
@@ -365,8 +330,7 @@ Word nearerWord(const Out &at) {
     return noneOfThem();
   if (at.isMiddle)
     return {"middle", words("neither")};
-  const bool isA = abs(at.share) < abs(1 - at.share);
-  return {isA ? "A" : "B", plainText(isA ? at.A.L : at.B.L)};
+  return at.isNearerToA ? Word{"A", plainText(at.A.L)} : Word{"B", plainText(at.B.L)};
 }
 
 ValueTable<Out> pointRows(std::size_t i) {
