@@ -12,6 +12,12 @@
 namespace halfspace {
 namespace {
 
+/// How far a vector reaches along another one; 0 where that is zero.
+Surd reachAlong(const Term &other, const Term &vector) {
+  const ExactVec3 way = vectorOf(other);
+  return isZero(way) ? Surd() : overRoot(dot(vectorOf(vector), way), dot(way, way));
+}
+
 struct Out : RayAtTriangle {
   using RayAtTriangle::RayAtTriangle;
 
@@ -33,15 +39,9 @@ struct Out : RayAtTriangle {
   Term tau = ownName(letter("τ"), meet.tau);
   Term lambda = ownName(letter("λ"), meet.t);
   /// How far a and c reach along p: how high the boxes are on the face of b and r.
-  Term ha = drawnName(letter("h", "a"), heightOf(a));
-  Term hc = drawnName(letter("h", "c"), heightOf(c));
+  Term ha = drawnName(letter("h", "a"), reachAlong(p, a));
+  Term hc = drawnName(letter("h", "c"), reachAlong(p, c));
   Term I = madeName("I", ExactVec3(ray.origin + ray.direction * meet.t));
-
-private:
-  [[nodiscard]] Surd heightOf(const Term &vector) const {
-    const ExactVec3 along = vectorOf(p);
-    return crosses ? overRoot(dot(vectorOf(vector), along), dot(along, along)) : Surd();
-  }
 };
 
 CaseWords tell(const Out &at) {
@@ -159,9 +159,10 @@ std::string heightWords(const Out &at, const Term &vector) {
     return words("How far {vector} reaches along p: the height of its box on the face of b and {r}.",
                  at.letters, {{"vector", name}});
   if (along < 0)
-    return words("How far {vector} reaches along p. Negative: it points to one side of the face of b and {r}, "
-                 "and p to the other.",
-                 at.letters, {{"vector", name}});
+    return words(
+        "How far {vector} reaches along p. Negative: it points to one side of the face of b and {r}, "
+        "and p to the other.",
+        at.letters, {{"vector", name}});
   return words("0: {vector} lies in the plane of b and {r}, and its box is flat.", at.letters,
                {{"vector", name}});
 }
