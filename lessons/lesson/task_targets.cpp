@@ -69,7 +69,7 @@ struct Proportional {
   }
 };
 
-// No way and one along each axis tell the proportion, the oblique ones whether there is any.
+/// No way and one along each axis tell the proportion, the oblique ones whether there is any.
 const std::array ways{ExactVec3(0),       ExactVec3(1, 0, 0),  ExactVec3(0, 1, 0),
                       ExactVec3(0, 0, 1), ExactVec3(-2, 3, 5), ExactVec3(4, 3, -7)};
 using AfterWays = std::array<Rational, ways.size()>;
@@ -91,7 +91,8 @@ std::optional<Proportional> proportionalThrough(const AfterWays &values) {
 std::optional<Proportional> proportionalUpToSign(const AfterWays &values) {
   if (std::any_of(values.begin(), values.end(), [](const Rational &value) { return value < 0; }))
     return {};
-  constexpr unsigned choices = 8;
+  // At the start it may be taken as positive. After the way along each axis it has either sign.
+  constexpr unsigned choices = 1U << 3U;
   for (unsigned choice = 0; choice < choices; ++choice) {
     AfterWays withSigns = values;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -107,10 +108,16 @@ std::optional<Proportional> proportionalUpToSign(const AfterWays &values) {
   return {};
 }
 
-/// Where the condition holds, if what is lacking changes in proportion to the way of the handle: a plane; or
-/// two, where only the number with a sign does so.
-std::vector<Flat> placesOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
-  AfterWays lacking;
+/// What is lacking after each way.
+struct Lacking {
+  AfterWays amounts;
+  bool isRational = true; ///< none is a multiple of a root
+};
+
+/// Nothing where it is no number after some way, or a multiple of different roots.
+std::optional<Lacking> lackingAfterWays(const Condition &condition, const Tried &tried,
+                                        const ExactVec3 &start) {
+  Lacking lacking;
   std::optional<Rational> radicand;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto lack = lackOf(condition, tried.at(start + ways.at(i)));
@@ -118,25 +125,38 @@ std::vector<Flat> placesOf(const Condition &condition, const Tried &tried, const
       return {};
     if (lack->amount != 0)
       radicand = lack->radicand;
-    lacking.at(i) = lack->amount;
+    lacking.amounts.at(i) = lack->amount;
   }
-  std::vector<Flat> places;
-  const auto add = [&](const std::optional<Flat> &more) {
-    if (more)
-      places.push_back(*more);
-  };
-  if (const auto lack = proportionalThrough(lacking)) {
-    add(lack->placesOf(0, start));
-    return places;
+  lacking.isRational = !radicand || *radicand == 1;
+  return lacking;
+}
+
+/// Where the condition holds, if what is lacking changes in proportion to the way of the handle: a plane; or
+/// two, where only the number with a sign does so.
+std::vector<Flat> placesOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
+  const auto lacking = lackingAfterWays(condition, tried, start);
+  if (!lacking)
+    return {};
+  if (const auto lack = proportionalThrough(lacking->amounts)) {
+    const auto plane = lack->placesOf(0, start);
+    return plane ? std::vector{*plane} : std::vector<Flat>();
   }
-  if (radicand != Rational(1))
+  if (!lacking->isRational)
     return {};
   const Rational against = *parseRational(condition.against);
-  for (Rational &value : lacking)
+  std::vector<Rational> askedFor{against};
+  if (against != 0)
+    askedFor.emplace_back(-against);
+  AfterWays values = lacking->amounts;
+  for (Rational &value : values)
     value += against;
-  if (const auto number = proportionalUpToSign(lacking))
-    for (const Rational &value : {against, Rational(-against)})
-      add(number->placesOf(value, start));
+  const auto number = proportionalUpToSign(values);
+  if (!number)
+    return {};
+  std::vector<Flat> places;
+  for (const Rational &value : askedFor)
+    if (const auto plane = number->placesOf(value, start))
+      places.push_back(*plane);
   return places;
 }
 

@@ -54,13 +54,22 @@ TEST(TaskTargets, OfANumberThatDoesNotGoInProportion_AreNone) {
   EXPECT_TRUE(targetsFor("signed_distance = 5", distanceScene(), "E.n").empty());
 }
 
+/// D = 4 w_z, so that the volume of the tetrahedron changes its course one step below the start.
+Scene tetrahedronScene() {
+  return {{{"u", VectorObject{{0, 0, 0}, {2, 0, 0}}},
+           {"v", VectorObject{{0, 0, 0}, {0, 2, 0}}},
+           {"w", VectorObject{{0, 0, 0}, {3, 1, q(3, 4)}}},
+           {"box", ConstructionUse{"determinant", {{"u", "u"}, {"v", "v"}, {"w", "w"}}}}}};
+}
+
+TEST(TaskTargets, OfNoVolume_AreThePlaneOfTheBaseOnce) {
+  const auto targets = targetsFor("tetrahedron = 0", tetrahedronScene(), "w.v");
+  ASSERT_EQ(targets.size(), 1U);
+  EXPECT_TRUE(targets[0].places.contains({-4, 7, 0}) && targets[0].counts({-4, 7, 0}));
+}
+
 TEST(TaskTargets, OfAVolume_AreOnBothSidesOfTheBase) {
-  // D = 4 w_z, so that the volume of the tetrahedron changes its course one step below the start.
-  const Scene scene{{{"u", VectorObject{{0, 0, 0}, {2, 0, 0}}},
-                     {"v", VectorObject{{0, 0, 0}, {0, 2, 0}}},
-                     {"w", VectorObject{{0, 0, 0}, {3, 1, q(3, 4)}}},
-                     {"box", ConstructionUse{"determinant", {{"u", "u"}, {"v", "v"}, {"w", "w"}}}}}};
-  const auto targets = targetsFor("tetrahedron = 5 and orientation = left-handed", scene, "w.v");
+  const auto targets = targetsFor("tetrahedron = 5 and orientation = left-handed", tetrahedronScene(), "w.v");
   ASSERT_EQ(targets.size(), 2U);
   int below = 0;
   for (const SnapTarget &target : targets) {
