@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace halfspace {
 namespace {
 
@@ -62,27 +60,15 @@ struct Given {
   Exact point;
 };
 
-class AnyGiven {
-public:
-  Given next() {
-    Given given{vector(), vector(), vector()};
-    if (m_engine() % 2 == 0)
-      given.point = given.through + given.direction * number();
-    return given;
-  }
-  Rational number() { return {static_cast<int>(m_engine() % 9) - 4, 1 + static_cast<int>(m_engine() % 3)}; }
+/// Every second point is on the line; now and then the direction has zeros, or nothing else.
+Given anyGiven(RandomNumbers &random) {
+  Given given{random.wholeVector(4), random.wholeVector(2), random.wholeVector(4)};
+  if (random.integer(0, 1) == 0)
+    given.point = given.through + given.direction * random.rational(3);
+  return given;
+}
 
-private:
-  Exact vector() {
-    const Rational x = number();
-    const Rational y = number();
-    return {x, y, number()};
-  }
-
-  std::mt19937_64 m_engine{17};
-};
-
-/// By the signs of products: of the line the point is ahead of its start, and the other end not behind it.
+/// By the signs of products with the direction, seen from both ends of the segment.
 LinePlace placeByProducts(const Given &given) {
   const Exact fromStart = given.point - given.through;
   const Exact fromEnd = fromStart - given.direction;
@@ -94,9 +80,9 @@ LinePlace placeByProducts(const Given &given) {
 }
 
 TEST(PlaceOnLine, OfAnyNumbers_IsWhatProductsOfVectorsSay) {
-  AnyGiven any;
+  RandomNumbers random(121);
   for (int i = 0; i < test::effort(10'000); ++i) {
-    const Given given = any.next();
+    const Given given = anyGiven(random);
     const auto place = placeOnLine(given.point, given.through, given.direction);
     if (isZero(given.direction)) {
       EXPECT_EQ(place.which, LinePlace::ZeroDirection);
@@ -117,13 +103,13 @@ TEST(PlaceOnLine, OfAnyNumbers_IsWhatProductsOfVectorsSay) {
 }
 
 TEST(PlaceOnLine, WithAnotherLengthOrFromTheOtherEnd_CountsOtherwise) {
-  AnyGiven any;
+  RandomNumbers random(122);
   for (int i = 0; i < test::effort(2'000); ++i) {
-    const auto &[through, direction, point] = any.next();
+    const auto [through, direction, point] = anyGiven(random);
     const auto place = placeOnLine(point, through, direction);
     if (place.which == LinePlace::Off || place.which == LinePlace::ZeroDirection)
       continue;
-    const Rational k(-3, 2);
+    const Rational k = random.nonZeroRational(3);
     EXPECT_EQ(placeOnLine(point, through, Exact(direction * k)).t, Rational(place.t / k)); // law (3)
     const auto back = placeOnLine(point, Exact(through + direction), Exact(-direction));   // law (4)
     EXPECT_EQ(back.t, Rational(1 - place.t));
