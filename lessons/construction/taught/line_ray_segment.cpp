@@ -38,15 +38,15 @@ struct Asking {
 Asking askingOf(const In &in, const LineTerms &line, const Term &Q, const PlaceOnLine<Rational> &place,
                 std::size_t index) {
   const std::string axis = axisNames.at(index);
-  const auto at = static_cast<int>(index);
+  const auto component = static_cast<int>(index);
   const auto &steps = place.steps.at(index);
   return {axis,
-          componentOf(line.A, indexed(in.g.letters[0], axis), at),
-          componentOf(line.v, indexed(in.g.letters[1], axis), at),
-          componentOf(Q, indexed(in.Q.symbol, axis), at),
+          componentOf(line.A, indexed(in.g.letters[0], axis), component),
+          componentOf(line.v, indexed(in.g.letters[1], axis), component),
+          componentOf(Q, indexed(in.Q.symbol, axis), component),
           drawnName(in, letter("t", axis), steps.value_or(0)),
           steps.has_value(),
-          in.Q.object.at[at] == in.g.object.point[at]};
+          in.Q.object.at[component] == in.g.object.point[component]};
 }
 
 struct Out : Computed<In>, LineTerms {
