@@ -84,9 +84,11 @@ Word wordOf(ShadowCase which) {
     return {"away", words("none, the ray leads away")};
   case ShadowCase::Parallel:
     return {"parallel", words("none, the light runs along the plane")};
-  default:
-    return {"at-lamp", words("none, it is at the lamp")};
+  case ShadowCase::NoLight:
+  case ShadowCase::NoPlane:
+    break;
   }
+  return {"at-lamp", words("none, it is at the lamp")};
 }
 
 } // namespace halfspace

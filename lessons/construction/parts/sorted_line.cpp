@@ -13,8 +13,8 @@ WorkingLine sortedLine(std::vector<Term> terms, std::string sentence) {
                    [](const Term &a, const Term &b) { return rationalOf(a) < rationalOf(b); });
   std::vector<Term> numbers;
   numbers.reserve(terms.size());
-  for (const Term &term : terms)
-    numbers.push_back(term->kind == TermKind::Number ? term : calculated(term)); // a 0 comes from nowhere
+  for (const Term &term : terms) // a number that is written as one comes from nothing else
+    numbers.push_back(term->kind == TermKind::Number ? term : calculated(term));
   // Rounded, two numbers may read alike that are not the same.
   for (std::size_t i = 1; i < terms.size(); ++i)
     if (readAlike(numbers[i - 1], numbers[i]) && rationalOf(terms[i - 1]) != rationalOf(terms[i]))
