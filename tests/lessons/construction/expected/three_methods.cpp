@@ -112,11 +112,11 @@ Recomputed recompute(Objects objects) {
                      {"perp.along", number(whole)},
                      {"cramer.det", number(whole)},
                      {"cramer.det_sigma", number(volumes[1])},
+                     {"cramer.det_tau", number(volumes[2])},
+                     {"cramer.det_t", number(last)},
                      {"winding", std::string(whole > 0   ? "counterclockwise"
                                              : whole < 0 ? "clockwise"
-                                                         : "none")},
-                     {"cramer.det_tau", number(volumes[2])},
-                     {"cramer.det_t", number(last)}};
+                                                         : "none")}};
   expected.names = {{"P_0", quantity(T.p0)},
                     {"P_1", quantity(T.p1)},
                     {"P_2", quantity(T.p2)},
