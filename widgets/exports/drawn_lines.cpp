@@ -1,5 +1,7 @@
 #include "widgets/exports/drawn_lines.h"
 
+#include "widgets/picture/screen_shapes.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -14,6 +16,10 @@ namespace {
 /// The dashes of what is hidden, in design points; and how much thinner its lines are.
 const Rhythm hiddenDashes{7, 5};
 constexpr double hiddenWidth = 0.75;
+/// What is shorter than so many of its periods is no place to look for where its dashes belong.
+constexpr double leastPeriods = 2;
+/// A line that leaves a straight one by less than this, in points, is straight.
+constexpr double straightness = 0.05;
 
 /// More rounds of a rhythm than this are not told apart any more.
 constexpr double mostRounds = 400;
@@ -95,18 +101,42 @@ std::vector<Run> runsOf(const DrawnLine &line, const LineRoom &room) {
   return runs.take();
 }
 
+/// Whether all spots lie on one straight line, as far as is seen.
+bool isStraight(const std::vector<Spot> &spots) {
+  return std::all_of(spots.begin(), spots.end(), [&](const Spot &spot) {
+    return distanceToSegment(spot.at, spots.front().at, spots.back().at) < straightness;
+  });
+}
+
+/// The rhythm of a hidden run, and how far into it the run begins.
+struct HiddenRhythm {
+  Rhythm dashes;
+  double start = 0;
+};
+
+/// Dashes of straight lines have places on the page that hold for all lines there, whichever way they go: an
+/// arrow along an edge covers the edge's dashes and leaves its gaps. Short and bent ones begin and end with a
+/// dash.
+HiddenRhythm hiddenRhythmOf(const Run &run, bool isStep, double designPoint) {
+  const double dash = hiddenDashes.front() * designPoint;
+  const double period = dash + hiddenDashes.back() * designPoint;
+  const double length = run.length();
+  if (!isStep && (length < leastPeriods * period || !isStraight(run.spots)))
+    return {fittedTo(length, {dash, period - dash}), 0};
+  const glm::dvec2 along = (run.spots.back().at - run.spots.front().at) / length;
+  const double place = glm::dot(run.spots.front().at, along) + dash / 2; // from the middle of a dash
+  return {{dash, period - dash}, place - std::floor(place / period) * period};
+}
+
 Pen penOf(const DrawnLine &line, const Run &run, const LineRoom &room) {
   Pen pen{line.color, line.width, line.dashes, line.dashStart + run.begin};
   const bool isDashed = run.veils.isHidden() && room.hidden == HiddenLines::Dashed;
   if (isDashed)
     pen.width *= hiddenWidth;
   if (isDashed && pen.dashes.empty()) {
-    for (const double length : hiddenDashes)
-      pen.dashes.push_back(length * room.paper.designPoint());
-    if (!line.isStep) {
-      pen.dashes = fittedTo(run.length(), pen.dashes);
-      pen.dashStart = 0;
-    }
+    HiddenRhythm rhythm = hiddenRhythmOf(run, line.isStep, room.paper.designPoint());
+    pen.dashes = std::move(rhythm.dashes);
+    pen.dashStart = rhythm.start;
   }
   pen.cap = pen.dashes.empty() && !line.isStep ? Pen::Cap::Round : Pen::Cap::Flat;
   return pen;

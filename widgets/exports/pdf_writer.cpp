@@ -4,6 +4,7 @@
 #include "widgets/exports/page_number.h"
 #include "widgets/exports/pdf_fonts.h"
 
+#include <cmath>
 #include <set>
 
 namespace halfspace {
@@ -13,7 +14,7 @@ namespace {
 constexpr double channelParts = 1000;
 
 std::string channelText(int channel) {
-  const int parts = static_cast<int>(channel * channelParts / 255 + 0.5);
+  const int parts = static_cast<int>(std::lround(channel * channelParts / 255));
   if (parts % static_cast<int>(channelParts) == 0)
     return parts > 0 ? "1" : "0";
   std::string digits = std::to_string(parts);
@@ -77,7 +78,8 @@ private:
     return "/O" + std::to_string(fill) + "_" + std::to_string(pen);
   }
   std::string opacityText(double fill, double pen) {
-    const std::pair both(static_cast<int>(fill * percent + 0.5), static_cast<int>(pen * percent + 0.5));
+    const std::pair both(static_cast<int>(std::lround(fill * percent)),
+                         static_cast<int>(std::lround(pen * percent)));
     if (both.first == percent && both.second == percent)
       return "";
     m_opacities.insert(both);

@@ -61,7 +61,8 @@ public:
     thing.veils = m_room.veils.standingOf(ball.center);
     thing.rank = PaintedThing::Rank::Ball;
     thing.reach = ball.radius * discPerBall * m_room.paper.pointsPerUnit();
-    add(std::move(thing), circlePath(spot.at, thing.reach), shape);
+    PagePath outline = circlePath(spot.at, thing.reach);
+    add(std::move(thing), std::move(outline), shape);
   }
 
   // These are drawn elsewhere.
