@@ -7,6 +7,7 @@
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
+#include "widgets/exports/draw_flat.h"
 #include "widgets/exports/draw_shapes.h"
 #include "widgets/exports/format.h"
 #include "widgets/picture/camera_views.h"
@@ -83,7 +84,16 @@ private:
   [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
 };
 
-/// Flat pictures; each is laid on its page by itself.
+/// Flat pictures are each laid on their page by themselves.
+Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluation) {
+  const auto &[command, opened, step, stage] = motif;
+  const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
+  if (!frame)
+    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
+                   "--flat"};
+  return FlatPicture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
+}
+
 class FlatPictures : public PixelPictures {
 public:
   explicit FlatPictures(const Motif &motif) : m_motif(motif) {}
@@ -92,14 +102,12 @@ public:
 
 private:
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
-    const auto &[command, opened, step, stage] = m_motif;
-    const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
-    if (!frame)
-      return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
-                     "--flat"};
-    const FlatPicture picture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
-    const View view = picture.fitted({{}, command.size, ownPixelRatio(command.size)});
-    return drawFlat(picture.seenFrom(view), command.theme, view, command.transparent, m_typesetter);
+    const RenderCommand &command = m_motif.command;
+    const auto picture = flatPictureOf(m_motif, evaluation);
+    if (!picture)
+      return picture.problem();
+    const View view = picture->fitted({{}, command.size, ownPixelRatio(command.size)});
+    return drawFlat(picture->seenFrom(view), command.theme, view, command.transparent, m_typesetter);
   }
 
   Motif m_motif;
@@ -150,58 +158,100 @@ private:
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };
 
-/// Figures of vectors in space, seen from one place likewise.
+/// Pictures of vectors, in a format.
 class VectorPictures : public Pictures {
 public:
-  VectorPictures(const Motif &motif, const ExportFormat &format, View view)
-      : m_motif(motif), m_format(format), m_composer(labelSetter(m_typesetter.fonts())) {
+  VectorPictures(const Motif &motif, const ExportFormat &format) : m_motif(motif), m_format(format) {}
+
+  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
+    auto drawing = draw(evaluation);
+    if (!drawing)
+      return drawing.problem();
+    const auto &[command, opened, step, stage] = m_motif;
+    drawing->title = opened.lesson ? opened.lesson->title : command.subject;
+    drawing->description = shownIn(step ? *step : LessonStep(), evaluation).description;
+    return writeFile(file, m_format.write(*drawing, m_typesetter.fonts()));
+  }
+
+protected:
+  [[nodiscard]] const Motif &motif() const { return m_motif; }
+  [[nodiscard]] LabelSetter setter() const { return labelSetter(m_typesetter.fonts()); }
+  [[nodiscard]] PaperLook look() const {
+    const RenderCommand &command = m_motif.command;
+    return {command.paper.width, command.paper.hidden, !command.transparent};
+  }
+  /// Still without its camera.
+  [[nodiscard]] View view() const {
+    const RenderCommand &command = m_motif.command;
+    return viewOnPaper(command.size, command.paper.width, command.paper.typeSize, command.theme);
+  }
+
+private:
+  [[nodiscard]] virtual Result<Drawing> draw(const Evaluation &evaluation) = 0;
+
+  Motif m_motif;
+  const ExportFormat &m_format;
+  Typesetter m_typesetter;
+};
+
+class FlatDrawings : public VectorPictures {
+public:
+  using VectorPictures::VectorPictures;
+  void begin(const Evaluation &) override {}
+
+private:
+  [[nodiscard]] Result<Drawing> draw(const Evaluation &evaluation) override {
+    const auto picture = flatPictureOf(motif(), evaluation);
+    if (!picture)
+      return picture.problem();
+    const View fitted = picture->fitted(view());
+    return flatDrawingOf(picture->seenFrom(fitted), motif().command.theme, fitted, look(), setter());
+  }
+};
+
+/// Seen from one place and labelled as its pictures of pixels are.
+class SpaceDrawings : public VectorPictures {
+public:
+  SpaceDrawings(const Motif &motif, const ExportFormat &format, const Evaluation &evaluation)
+      : VectorPictures(motif, format), m_composer(setter()) {
+    View seen = view();
+    seen.camera = cameraFor(motif, evaluation, seen.size, seen.pixelRatio);
     m_composer.setTheme(motif.command.theme);
     m_composer.setBackgroundVisible(!motif.command.transparent);
-    m_composer.setView(std::move(view));
+    m_composer.setView(std::move(seen));
   }
 
   void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
-  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
-    const auto &[command, opened, step, stage] = m_motif;
+
+private:
+  [[nodiscard]] Result<Drawing> draw(const Evaluation &evaluation) override {
     m_composer.forgetLabels();
     if (m_beginning) {
       m_composer.setContent(*m_beginning);
       m_composer.compose();
     }
     m_composer.setContent(content(evaluation));
-    Drawing drawing =
-        drawingOf(m_composer.compose(), {command.paper.width, command.paper.hidden, !command.transparent});
-    drawing.title = opened.lesson ? opened.lesson->title : command.subject;
-    drawing.description = shownIn(step ? *step : LessonStep(), evaluation).description;
-    return writeFile(file, m_format.write(drawing, m_typesetter.fonts()));
+    return drawingOf(m_composer.compose(), look());
   }
-
-private:
   [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
+    return contentOf(motif().opened.lesson, motif().step, evaluation, motif().stage);
   }
 
-  Motif m_motif;
-  const ExportFormat &m_format;
   std::optional<SceneContent> m_beginning;
-  Typesetter m_typesetter;
   Composer m_composer;
 };
 
-Result<std::unique_ptr<Pictures>> picturesOf(const Motif &motif, const Evaluation &evaluation) {
-  using Made = std::unique_ptr<Pictures>;
+std::unique_ptr<Pictures> picturesOf(const Motif &motif, const Evaluation &evaluation) {
   const RenderCommand &command = motif.command;
   if (const ExportFormat *format = formatOfFile(command.output)) {
     if (command.flat)
-      return Problem{words("The flat picture is drawn as PNG alone."), "", 0, "--flat"};
-    View view = viewOnPaper(command.size, command.paper.width, command.paper.typeSize, command.theme);
-    view.camera = cameraFor(motif, evaluation, view.size, view.pixelRatio);
-    return Made(std::make_unique<VectorPictures>(motif, *format, std::move(view)));
+      return std::make_unique<FlatDrawings>(motif, *format);
+    return std::make_unique<SpaceDrawings>(motif, *format, evaluation);
   }
   if (command.flat)
-    return Made(std::make_unique<FlatPictures>(motif));
-  const Camera camera = cameraFor(motif, evaluation, command.size, ownPixelRatio(command.size));
-  return Made(std::make_unique<SpacePictures>(motif, camera));
+    return std::make_unique<FlatPictures>(motif);
+  return std::make_unique<SpacePictures>(
+      motif, cameraFor(motif, evaluation, command.size, ownPixelRatio(command.size)));
 }
 
 /// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
@@ -267,10 +317,8 @@ int runRender(const RenderCommand &command) {
   Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const auto pictures = picturesOf({command, *opened, *step, stage}, evaluation);
-  if (!pictures)
-    return fail(pictures.problem());
-  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), **pictures)
-                                      : (*pictures)->write(evaluation, command.output);
+  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), *pictures)
+                                      : pictures->write(evaluation, command.output);
   return problem ? fail(*problem) : 0;
 }
 

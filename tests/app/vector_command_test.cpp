@@ -52,6 +52,13 @@ TEST_F(VectorFigures, OfAFlight_AreOneForEachFrame) {
   EXPECT_NE(file("38.pdf"), file("40.pdf"));
 }
 
+TEST_F(VectorFigures, MayBeFlat) {
+  EXPECT_EQ(run("render ray-plane-picture --flat --width 6cm --size 1200x1000 -o flat.svg").status, 0);
+  EXPECT_NE(file("flat.svg").find("width=\"170.08pt\" height=\"141.73pt\""), std::string::npos);
+  EXPECT_NE(file("flat.svg").find("<path"), std::string::npos);
+  EXPECT_NE(file("flat.svg").find("aria-label=\"Q"), std::string::npos);
+}
+
 TEST_F(VectorFigures, ThatCannotBeMade_AreRefusedInASentence) {
   expectRefused("render signed-distance -o a.svg --width wide", "--width takes a length");
   expectRefused("render signed-distance -o a.svg --width 1e9cm", "from 1cm to 100cm");
@@ -59,7 +66,7 @@ TEST_F(VectorFigures, ThatCannotBeMade_AreRefusedInASentence) {
   expectRefused("render signed-distance -o a.svg --text 0pt", "--text takes a size");
   expectRefused("render signed-distance -o a.svg --hidden no", "dashed, paler or left-out");
   expectRefused("render signed-distance -o a.png --width 8cm", "--width is for figures of vectors");
-  expectRefused("render ray-plane-picture --flat -o a.svg", "PNG alone");
+  expectRefused("render signed-distance --flat -o a.svg", "no flat picture");
   expectRefused("render signed-distance -o no-such-folder/a.svg", "no-such-folder/a.svg");
 }
 

@@ -12,8 +12,6 @@
 namespace halfspace {
 namespace {
 
-constexpr Color white{255, 255, 255};
-
 /// The faces of a list as veils, each with what it is painted with.
 class FaceVeils {
 public:
@@ -81,11 +79,11 @@ Drawing drawingOf(const ShapeList &list, const PaperLook &look) {
   const Paper paper(list, look.width);
   Drawing drawing;
   drawing.size = paper.size();
-  if (look.hasGround && list.background.isVisible && list.background.bottom != white)
-    drawing.ground = list.background.bottom;
+  if (list.background.isVisible)
+    drawing.ground = groundOf(look, list.background.bottom);
   append(drawing.parts, groundParts(list, paper));
   append(drawing.parts, spaceParts(list, paper, look.hidden));
-  append(drawing.parts, labelParts(*list.layer(Layer::Labels), paper));
+  append(drawing.parts, labelParts(*list.layer(Layer::Labels), paper.pointsPerPixel()));
   return drawing;
 }
 

@@ -32,14 +32,13 @@ FormulaPart formulaPart(const Shape &shape, const LabelShape &label, double scal
 
 } // namespace
 
-std::vector<DrawingPart> labelParts(const std::vector<Shape> &labels, const Paper &paper) {
-  const double scale = paper.pointsPerPixel();
+std::vector<DrawingPart> labelParts(const std::vector<Shape> &labels, double pointsPerPixel) {
   std::vector<DrawingPart> parts;
   forEach<LeaderShape>(labels, [&](const Shape &shape, const LeaderShape &leader) {
-    parts.emplace_back(leaderPart(shape, leader, scale));
+    parts.emplace_back(leaderPart(shape, leader, pointsPerPixel));
   });
   forEach<LabelShape>(labels, [&](const Shape &shape, const LabelShape &label) {
-    parts.emplace_back(formulaPart(shape, label, scale));
+    parts.emplace_back(formulaPart(shape, label, pointsPerPixel));
   });
   return parts;
 }

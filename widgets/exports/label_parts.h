@@ -2,10 +2,10 @@
 #pragma once
 
 #include "widgets/exports/drawing.h"
-#include "widgets/exports/paper.h"
+#include "widgets/picture/shapes/shape.h"
 
 namespace halfspace {
 
-[[nodiscard]] std::vector<DrawingPart> labelParts(const std::vector<Shape> &labels, const Paper &paper);
+[[nodiscard]] std::vector<DrawingPart> labelParts(const std::vector<Shape> &labels, double pointsPerPixel);
 
 } // namespace halfspace

@@ -15,6 +15,11 @@ constexpr double steepest = 10;
 
 } // namespace
 
+std::optional<Color> groundOf(const PaperLook &look, Color background) {
+  constexpr Color white{255, 255, 255};
+  return look.hasGround && background != white ? std::optional(background) : std::nullopt;
+}
+
 View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme) {
   const double heightPerWidth = std::min(static_cast<double>(shape.height) / shape.width, steepest);
   const int height = std::max(1, static_cast<int>(std::lround(pixelsAcross * heightPerWidth)));

@@ -4,6 +4,8 @@
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"
 
+#include <optional>
+
 namespace halfspace {
 
 /// Centimetres in points.
@@ -21,6 +23,10 @@ struct PaperLook {
   HiddenLines hidden = HiddenLines::Dashed;
   bool hasGround = true; ///< the colour of the page, where it is not white
 };
+
+/// What the page is painted with before all else: nothing where it is white, as paper is, or is to stay
+/// clear.
+[[nodiscard]] std::optional<Color> groundOf(const PaperLook &look, Color background);
 
 /// A view of a shape, still without its camera, that is drawn so many points wide, with the labels of marks
 /// in type of a size in points.
