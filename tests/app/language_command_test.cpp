@@ -11,7 +11,8 @@ const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NA
                         "output",    "paths",         "file",   "size",      "distance",  "lessons",
                         "new",       "constructions", "check",  "explain",   "render",    "eval",
                         "text",      "latex",         "json",   "light",     "dark",      "print",
-                        "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere"};
+                        "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere",   "LENGTH",
+                        "dashed",    "paler",         "left",   "out",       "width",     "hidden"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
@@ -40,6 +41,10 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render x -o a.png --step 0",
                                 "render x -o a.jpg",
                                 "render x -o a.png --theme blue",
+                                "render x -o a.svg --width 1km",
+                                "render x -o a.svg --text big",
+                                "render x -o a.svg --hidden no",
+                                "render x -o a.png --hidden dashed",
                                 "render x -o a.png --size 0x0",
                                 "render x -o a.png --frame 1.5",
                                 "render x -o a.png --frame 1 --frames 0:3",
