@@ -55,6 +55,16 @@ struct Out : Computed<In>, PlaneTerms {
   bool isMiddle = share == Rational(1, 2);
   bool isNearerToA = abs(share) < abs(Rational(1 - share)); ///< L(M) to L(A) than to L(B)
   Term p = ownName(letter("p"), share);
+
+  /// 0 where the sun shines along the triangle, so that it sees it exactly from the side.
+  [[nodiscard]] Rational facing() const {
+    const ExactVec3 &corner = in.A.object.at;
+    return dot(direction, cross(ExactVec3(in.B.object.at - corner), ExactVec3(in.C.object.at - corner)));
+  }
+  /// How far the ray of the lamp to A goes along n: 0 where it runs parallel to the plane.
+  [[nodiscard]] Rational aheadOfLamp() const {
+    return dot(ExactVec3(in.A.object.at - in.Q.object.at), normal);
+  }
 };
 
 CaseWords tell(const Out &at) {
@@ -370,7 +380,9 @@ ValueTable<Out> values() {
        cornerRows(0),
        cornerRows(1),
        cornerRows(2),
-       {{named::word("sun_shadow", shapes), always,
+       {{named::number("facing"), always, [](const Out &at) { return Value(Surd(at.facing())); }},
+        {named::number("ahead_A"), always, [](const Out &at) { return Value(Surd(at.aheadOfLamp())); }},
+        {named::word("sun_shadow", shapes), always,
          [](const Out &at) {
            return ToldValue(words("shadow of the triangle by the sun"), wordOf(at.bySun));
          }},

@@ -148,7 +148,7 @@ const std::vector<Solution> &solutions() {
       {"shadow", "Turn $\\vec r$ until the sun", {"r", VectorObject{{12, 3, 10}, {-2, 2, -2}}}},
       {"shadow", "Bring $M$ into", {"B", PointObject{{5, 7, -1}}}},
       {"shadow", "Move the lamp", {"Q", PointObject{{5, 4, 11}}}},
-      {"shadow", "Move $B$ until one piece", {"B", PointObject{{5, 4, 5}}}},
+      {"shadow", "Move $B$ until one piece", {"B", PointObject{{5, Rational(13, 2), Rational(17, 2)}}}},
       {"shadow", "Move $A$ until the ray", {"A", PointObject{{7, 5, 10}}}},
       {"shadow", "Bring $A$ exactly", {"A", PointObject{{7, 4, 8}}}},
       {"shadow", "Bring $A$ behind", {"A", PointObject{{7, 5, 1}}}},

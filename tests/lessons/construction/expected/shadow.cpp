@@ -131,6 +131,9 @@ Recomputed recompute(Objects objects) {
     addPoint(expected, lit, i);
   const bool isSun = isSunny(lit);
   const bool isLamp = isLampLit(lit);
+  expected.values["facing"] =
+      number(determinant(lit.r.vector, ExactVec3(lit.at[1] - lit.at[0]), ExactVec3(lit.at[2] - lit.at[0])));
+  expected.values["ahead_A"] = number(Rational(lit.height[0] - lit.lampHeight));
   expected.values["sun_shadow"] =
       isSun ? shapeOf(true, lit.sunPlace(0), lit.sunPlace(1), lit.sunPlace(2)) : "none";
   expected.values["lamp_shadow"] =
