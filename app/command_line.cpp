@@ -134,6 +134,8 @@ constexpr double leastWidth = pointsPerCentimetre;
 constexpr double mostWidth = 100 * pointsPerCentimetre;
 constexpr double leastType = 3;
 constexpr double mostType = 72;
+/// Labels of larger type, in parts of the width, find no place beside one another.
+constexpr double mostTypePerWidth = 0.1;
 
 /// How what is hidden may be drawn, by its word.
 constexpr std::array hiddenWords{std::pair("dashed", HiddenLines::Dashed),
@@ -263,6 +265,9 @@ std::variant<PaperCommand, PrintCommand> paperOf(const Arguments &arguments) {
   if (!typeSize || *typeSize < leastType || *typeSize > mostType)
     return complaint(
         words("--text takes a size of type from 3pt to 72pt, not “{size}”.", {{"size", arguments.typeSize}}));
+  if (*typeSize > *width * mostTypePerWidth)
+    return complaint(words("Type of {size} is too large for a figure {width} wide: at most a tenth of that.",
+                           {{"size", arguments.typeSize}, {"width", arguments.width}}));
   const auto hidden = std::find_if(hiddenWords.begin(), hiddenWords.end(),
                                    [&](const auto &word) { return arguments.hidden == word.first; });
   if (hidden == hiddenWords.end())

@@ -231,13 +231,17 @@ private:
       m_composer.compose();
     }
     m_composer.setContent(content(evaluation));
-    return drawingOf(m_composer.compose(), look());
+    const ShapeList &shapes = m_composer.compose();
+    if (shapes.leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
+      printError(overfullWords());
+    return drawingOf(shapes, look());
   }
   [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
     return contentOf(motif().opened.lesson, motif().step, evaluation, motif().stage);
   }
 
   std::optional<SceneContent> m_beginning;
+  bool m_hasToldOfOverfull = false; ///< of a flight once
   Composer m_composer;
 };
 

@@ -43,6 +43,7 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render x -o a.png --theme blue",
                                 "render x -o a.svg --width 1km",
                                 "render x -o a.svg --text big",
+                                "render x -o a.svg --width 1cm --text 20pt",
                                 "render x -o a.svg --hidden no",
                                 "render x -o a.png --hidden dashed",
                                 "render x -o a.png --size 0x0",

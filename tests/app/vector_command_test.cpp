@@ -64,6 +64,7 @@ TEST_F(VectorFigures, ThatCannotBeMade_AreRefusedInASentence) {
   expectRefused("render signed-distance -o a.svg --width 1e9cm", "from 1cm to 100cm");
   expectRefused("render signed-distance -o a.svg --text 9", "--text takes a size");
   expectRefused("render signed-distance -o a.svg --text 0pt", "--text takes a size");
+  expectRefused("render signed-distance -o a.svg --width 2cm --text 9pt", "too large for a figure 2cm wide");
   expectRefused("render signed-distance -o a.svg --hidden no", "dashed, paler or left-out");
   expectRefused("render signed-distance -o a.png --width 8cm", "--width is for figures of vectors");
   expectRefused("render signed-distance --flat -o a.svg", "no flat picture");

@@ -10,8 +10,8 @@ namespace {
 
 /// A page is so many pixels wide: labels stand on whole ones, which are finer than what is printed.
 constexpr int pixelsAcross = 4800;
-/// No page is higher than so many times its width.
-constexpr double steepest = 10;
+/// No page is higher than so many times its width, nor wider than so many times its height.
+constexpr double longest = 10;
 
 } // namespace
 
@@ -21,8 +21,9 @@ std::optional<Color> groundOf(const PaperLook &look, Color background) {
 }
 
 View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme) {
-  const double heightPerWidth = std::min(static_cast<double>(shape.height) / shape.width, steepest);
-  const int height = std::max(1, static_cast<int>(std::lround(pixelsAcross * heightPerWidth)));
+  const double heightPerWidth =
+      std::clamp(static_cast<double>(shape.height) / shape.width, 1 / longest, longest);
+  const int height = static_cast<int>(std::lround(pixelsAcross * heightPerWidth));
   return {{}, {pixelsAcross, height}, typeSize / (markTextSize * theme.textScale) * pixelsAcross / width};
 }
 
