@@ -61,9 +61,9 @@ struct Out : Computed<In>, PlaneTerms {
     const ExactVec3 &corner = in.A.object.at;
     return dot(direction, cross(ExactVec3(in.B.object.at - corner), ExactVec3(in.C.object.at - corner)));
   }
-  /// How far the ray of the lamp to A goes along n: 0 where it runs parallel to the plane.
-  [[nodiscard]] Rational aheadOfLamp() const {
-    return dot(ExactVec3(in.A.object.at - in.Q.object.at), normal);
+  /// How far the ray of the lamp to a corner goes along n: 0 where it runs parallel to the plane.
+  [[nodiscard]] Rational aheadOfLamp(const PointObject &corner) const {
+    return dot(ExactVec3(corner.at - in.Q.object.at), normal);
   }
 };
 
@@ -381,7 +381,12 @@ ValueTable<Out> values() {
        cornerRows(1),
        cornerRows(2),
        {{named::number("facing"), always, [](const Out &at) { return Value(Surd(at.facing())); }},
-        {named::number("ahead_A"), always, [](const Out &at) { return Value(Surd(at.aheadOfLamp())); }},
+        {named::number("ahead_A"), always,
+         [](const Out &at) { return Value(Surd(at.aheadOfLamp(at.in.A.object))); }},
+        {named::number("ratio"), [](const Out &at) { return at.aheadOfLamp(at.in.A.object) != 0; },
+         [](const Out &at) {
+           return Value(Surd(Rational(at.aheadOfLamp(at.in.B.object) / at.aheadOfLamp(at.in.A.object))));
+         }},
         {named::word("sun_shadow", shapes), always,
          [](const Out &at) {
            return ToldValue(words("shadow of the triangle by the sun"), wordOf(at.bySun));

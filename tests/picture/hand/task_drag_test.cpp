@@ -119,7 +119,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"shadow", "facing = 0 and sun_shadow = flat", {"r.v"}},
       {"shadow", "t_M = 0 and t_A != 0", {"B"}},
       {"shadow", "k_A = 2", {"Q"}},
-      {"shadow", "part = 1/3 and k_A >= 1 and k_B >= 1", {"B"}},
+      {"shadow", "ratio = 1/2 and k_A >= 1 and k_B >= 1", {"B"}},
       {"shadow", "lamp_A = away", {"A"}},
       {"shadow", "ahead_A = 0 and lamp_A = parallel", {"A"}},
       {"shadow", "sun_A = plane-first and k_A > 0 and k_A < 1", {"A"}},

@@ -134,6 +134,8 @@ Recomputed recompute(Objects objects) {
   expected.values["facing"] =
       number(determinant(lit.r.vector, ExactVec3(lit.at[1] - lit.at[0]), ExactVec3(lit.at[2] - lit.at[0])));
   expected.values["ahead_A"] = number(Rational(lit.height[0] - lit.lampHeight));
+  if (!lit.isLevel(0))
+    expected.values["ratio"] = number(Rational(lit.depth(1) / lit.depth(0)));
   expected.values["sun_shadow"] =
       isSun ? shapeOf(true, lit.sunPlace(0), lit.sunPlace(1), lit.sunPlace(2)) : "none";
   expected.values["lamp_shadow"] =
