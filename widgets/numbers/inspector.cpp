@@ -29,9 +29,7 @@ struct ShownValue {
   const NamedValue *value;
 
   /// What its row is made for.
-  [[nodiscard]] std::string id() const {
-    return entry + "." + value->name + " " + readName(*value);
-  }
+  [[nodiscard]] std::string id() const { return entry + "." + value->name + " " + readName(*value); }
 };
 
 /// Adds the values that a learner sees, groups opened.
