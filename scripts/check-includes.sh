@@ -22,11 +22,12 @@ lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/obje
 widgets/formula      : geometry lessons/* : HarfBuzz
 widgets/picture      : geometry geometry/search lessons/* widgets/formula
 widgets/scene        : geometry lessons/* widgets/formula widgets/picture : VTK OpenGL
-widgets/exports      : geometry lessons/* widgets/formula widgets/picture : HarfBuzz
+widgets/carriers     : geometry lessons/*
+widgets/exports      : geometry lessons/* widgets/formula widgets/picture widgets/carriers : HarfBuzz
 widgets/mesh_files   : geometry geometry/search lessons/*
 widgets              : geometry geometry/search lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
 widgets/view         : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets : Qt VTK
-app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/exports widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
+app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/carriers widgets/exports widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
 '
 
 grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \

@@ -1,8 +1,7 @@
 #include "widgets/exports/pdf_file.h"
 
 #include "lessons/text.h"
-
-#include <zlib.h>
+#include "widgets/carriers/deflate.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,18 +11,6 @@ namespace halfspace {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
-
-std::string deflated(std::string_view content) {
-  std::string packed(compressBound(content.size()), '\0');
-  auto length = static_cast<uLongf>(packed.size());
-  // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): zlib's bytes are unsigned.
-  const int result =
-      compress2(reinterpret_cast<Bytef *>(packed.data()), &length,
-                reinterpret_cast<const Bytef *>(content.data()), content.size(), Z_BEST_COMPRESSION);
-  // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
-  packed.resize(result == Z_OK ? length : 0);
-  return packed;
-}
 
 /// A number for a content, by which files are told apart (FNV-1a, beginning with a seed).
 std::uint64_t numberFor(std::string_view content, std::uint64_t seed) {
