@@ -171,7 +171,8 @@ void addOwnLessons(CLI::App &app, OwnLessons &folders) {
 }
 
 void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
-  app.add_option("subject", subject, words("A lesson's id, its .md file or a .halfspace file"))
+  app.add_option("subject", subject,
+                 words("A lesson's id, its .md file, a .halfspace file or a picture with a scene"))
       ->type_name("LESSON|FILE")
       ->required();
   app.add_option("--set", assignments,
@@ -184,7 +185,8 @@ void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &a
 /// What stands without a command.
 void addWindow(CLI::App &app, WindowCommand &command) {
   app.add_option("subject", command.subject,
-                 words("A lesson's id, its .md file or a .halfspace file to open in the window"))
+                 words("A lesson's id, its .md file, a .halfspace file or a picture with a scene to open in "
+                       "the window"))
       ->type_name("LESSON|FILE");
   app.add_option("--mesh", command.mesh, words("A mesh to aim at: an STL, OBJ or PLY file"))
       ->type_name("FILE");
@@ -228,10 +230,9 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
       ->type_name(themeNames("|"))
       ->capture_default_str();
   render
-      ->add_option(
-          "--step", arguments.step,
-          words("The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
-                "whole figure of a lesson, or, for frames, the last step with the flight"))
+      ->add_option("--step", arguments.step,
+                   words("The lesson's step to show, counted from 1; without it that of a session, the "
+                         "whole figure of a lesson, or, for frames, the last step with the flight"))
       ->type_name("NUMBER");
   auto *frame =
       render->add_option("--frame", arguments.frame, words("A frame of the lesson's flight, counted from 0"))

@@ -18,8 +18,8 @@ inline constexpr const char *ownLessonsOption = "--lessons";
 
 struct WindowCommand {
   std::optional<std::string>
-      subject;             ///< a lesson's id, its .md file or a .halfspace file; nothing: the first lesson
-  OwnLessons ownLessons{}; ///< besides those of the settings
+      subject; ///< a lesson's id, its .md file, a .halfspace file or a picture; nothing: the first lesson
+  OwnLessons ownLessons{};           ///< besides those of the settings
   std::optional<std::string> mesh{}; ///< a file to open in it
 };
 
@@ -68,7 +68,7 @@ struct RenderCommand {
   PixelSize size{1600, 1000};
   OwnLessons ownLessons{};
   bool transparent = false;
-  bool flat = false; ///< the lesson's flat picture in the place of the one in space
+  bool flat = false;      ///< the lesson's flat picture in the place of the one in space
   Theme theme = themes().front();
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the
                            ///< whole figure of a lesson, or, of frames, the flight's step

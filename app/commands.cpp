@@ -6,6 +6,7 @@
 #include "app/standard_streams.h"
 #include "lessons/construction/reference.h"
 #include "lessons/scene/file/explain_formats.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"

@@ -11,6 +11,7 @@
 #include "app/menus/help_menu.h"
 #include "app/menus/lesson_menu.h"
 #include "app/menus/view_menu.h"
+#include "app/open_session.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
 #include "app/panels/window_header.h"
@@ -202,7 +203,7 @@ void MainWindow::dropEvent(QDropEvent *event) {
     return;
   event->setDropAction(Qt::CopyAction); // whoever moves deletes the file
   event->accept();
-  if (!file.endsWith(".halfspace") && !file.endsWith(".md"))
+  if (!namesSession(file.toStdString()))
     return m_meshes.open(file);
   QTimer::singleShot(0, this, [this, file] { // the other program does not wait for questions
     if (m_files.mayLeave())

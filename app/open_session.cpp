@@ -2,6 +2,8 @@
 
 #include "lessons/lesson/lesson_start.h"
 #include "lessons/words.h"
+#include "widgets/carriers/carrier.h"
+#include "widgets/carriers/found_session.h"
 
 #include <utility>
 
@@ -21,7 +23,7 @@ Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string
   const Lesson *lesson = library.find(id);
   if (!lesson)
     return unknownLesson(library, id);
-  return OpenedSession{startOf(*lesson), lesson, {}};
+  return OpenedSession{startOf(*lesson), lesson};
 }
 
 /// Its lesson stands in the library from then on.
@@ -51,11 +53,13 @@ std::optional<Problem> fetchFor(const std::string &id, LessonLibrary &library, c
 }
 
 /// Whether a name can be a file's alone.
-bool isPath(const std::string &name) {
-  return name.ends_with(".halfspace") || name.ends_with(".md") || name.find('/') != std::string::npos;
-}
+bool isPath(const std::string &name) { return namesSession(name) || name.find('/') != std::string::npos; }
 
 } // namespace
+
+bool namesSession(const std::string &file) {
+  return file.ends_with(".halfspace") || file.ends_with(".md") || namesCarrier(file);
+}
 
 bool namesFile(const LessonLibrary &library, const std::string &name) {
   std::error_code error;
@@ -71,13 +75,14 @@ Result<OpenedSession> openSession(LessonLibrary &library, const std::string &nam
       return *lack;
   if (!namesFile(library, name))
     return openLesson(library, name);
-  auto file = readSessionFile(name);
+  auto file = findSession(name);
   if (!file)
     return file.problem();
   if (const auto lack = fetchFor(file->session.lesson, library, fetch))
     return *lack;
   const Lesson *lesson = library.find(file->session.lesson);
-  return OpenedSession{std::move(file->session), lesson, std::move(file->text)};
+  const auto origin = file->isInPicture ? OpenedSession::Origin::Picture : OpenedSession::Origin::SessionFile;
+  return OpenedSession{std::move(file->session), lesson, origin, std::move(file->text)};
 }
 
 } // namespace halfspace

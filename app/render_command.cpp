@@ -50,7 +50,8 @@ Result<const LessonStep *> stepToShow(const RenderCommand &command, const Opened
     return &stepOf(*lesson, *command.step - 1);
   if (const LessonStep *step = command.frames ? stepOfFlight(opened) : nullptr)
     return step;
-  return lesson && opened.text ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
+  const bool isSession = opened.origin != OpenedSession::Origin::Lesson;
+  return lesson && isSession ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
 }
 
 /// What the pictures of a command are of.

@@ -61,10 +61,11 @@ QIcon programIcon() {
   return icon;
 }
 
-/// The file that Save writes; null for a name that cannot be told, and for a lesson: Save asks.
+/// The file that Save writes; null for a name that cannot be told, for a lesson and for a picture: Save asks.
 std::shared_ptr<const KnownFile> fileOf(const OpenedSession &opened, const WindowCommand &command) {
-  const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt;
-  return path ? std::make_shared<KnownFile>(KnownFile{*path, *opened.text, opened.session.lesson}) : nullptr;
+  const bool isFiles = opened.origin == OpenedSession::Origin::SessionFile;
+  const auto path = isFiles ? absolutePathOf(*command.subject) : std::nullopt;
+  return path ? std::make_shared<KnownFile>(KnownFile{*path, opened.text, opened.session.lesson}) : nullptr;
 }
 
 /// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees

@@ -8,6 +8,7 @@
 #include "lessons/scene/file/large_meshes.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/file/shape_text.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/text/figures.h"
 
 #include <QFileDialog>
@@ -60,22 +61,26 @@ void SessionFiles::open(const QString &file) {
   if (!opened)
     return m_messages.complain(QString::fromStdString(opened.problem().text()));
   std::shared_ptr<const KnownFile> known;
-  if (opened->text)
+  if (opened->origin == OpenedSession::Origin::SessionFile)
     known = std::make_shared<KnownFile>(
-        KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson});
+        KnownFile{QFileInfo(file).absoluteFilePath(), std::move(opened->text), opened->session.lesson});
   m_file = std::move(known);
-  if (opened->text)
-    m_model.startWith(std::move(opened->session));
-  else
+  if (opened->origin == OpenedSession::Origin::Lesson)
     m_model.startWith(std::move(opened->session), std::move(library)); // with the lesson
+  else
+    m_model.startWith(std::move(opened->session));
   emit changed();
 }
 
 void SessionFiles::askAndOpen() {
   if (!mayLeave())
     return;
-  const QString file = QFileDialog::getOpenFileName(&m_messages.window(), tr("Open"), {},
-                                                    tr("Sessions and lessons (*.halfspace *.md)"));
+  QString pictures;
+  for (const Carrier &carrier : carriers())
+    pictures += " *" + QString::fromStdString(carrier.ending);
+  const QString file = QFileDialog::getOpenFileName(
+      &m_messages.window(), tr("Open"), {},
+      tr("Sessions, pictures and lessons (%1)").arg("*.halfspace *.md" + pictures));
   if (!file.isEmpty())
     open(file);
 }

@@ -24,8 +24,8 @@ public:
 
   /// Starts with a session; `file` is where Save writes it (null: Save asks).
   void startWith(const Session &session, std::shared_ptr<const KnownFile> file = {});
-  /// Opens a .halfspace file, or the .md file of a lesson; on failure says why and leaves the session as it
-  /// is.
+  /// Opens a .halfspace file, the .md file of a lesson, or a picture that carries a session, which is no file
+  /// for Save to write; on failure says why and leaves the session as it is.
   void open(const QString &file);
   /// Asks for a file to be opened, once the session may be left.
   void askAndOpen();

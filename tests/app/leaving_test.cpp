@@ -1,9 +1,9 @@
 // Nothing is lost when the window closes, is told to end, or finds its file changed.
 #include "app/termination.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/scene/file/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/mesh_files/mesh_texts.h"
+#include "widgets/carriers/found_session.h"
 #include "widgets/numbers/inspector.h"
 
 #include <QApplication>
@@ -135,7 +135,7 @@ private slots:
     QVERIFY(fixture.window.files().saveTo(file));
     beginTyping(*fixture.field("Q", 0), "3/7");
     QVERIFY(fixture.window.files().save());
-    QVERIFY(pointOf(readSessionFile(file.toStdString())->session, "Q").x == Rational(3, 7));
+    QVERIFY(pointOf(findSession(file.toStdString())->session, "Q").x == Rational(3, 7));
   }
 
   void saving_withATextThatIsNoNumber_isRefusedWithTheReason() {
@@ -198,17 +198,17 @@ private slots:
     moveUp(first, "Q");
     QVERIFY(first.window.files().save());
     moveUp(second, "E.P0");
-    const std::string firstsText = readSessionFile(file.toStdString())->text;
+    const std::string firstsText = findSession(file.toStdString())->text;
     {
       const BoxAnswerer box("Cancel");
       QVERIFY(!second.window.files().save());
       QVERIFY2(box.text.contains("ours.halfspace"), qPrintable(box.text));
-      QCOMPARE(readSessionFile(file.toStdString())->text, firstsText);
+      QCOMPARE(findSession(file.toStdString())->text, firstsText);
       QVERIFY(second.window.isWindowModified());
     }
     const BoxAnswerer box("Replace");
     QVERIFY(second.window.files().save());
-    QVERIFY(readSessionFile(file.toStdString())->session == second.model().session());
+    QVERIFY(findSession(file.toStdString())->session == second.model().session());
     QVERIFY(second.window.files().save()); // from now on it is known again: no further question
   }
 
@@ -227,7 +227,7 @@ private slots:
     QCOMPARE(leftovers().size(), 1U);
     QVERIFY(leftovers().front().work.session == session);
     QCOMPARE(leftovers().front().work.file->path, file);
-    QVERIFY(!(readSessionFile(file.toStdString())->session == session));
+    QVERIFY(!(findSession(file.toStdString())->session == session));
   }
 
   void endingWithoutQuestions_inADragOrWithANumberNotEntered_keepsThem() {
@@ -289,7 +289,7 @@ private slots:
     });
     chooser.start(50);
     QVERIFY(fixture.window.close());
-    const auto saved = readSessionFile(file.toStdString());
+    const auto saved = findSession(file.toStdString());
     QVERIFY(saved && saved->session == fixture.model().session());
   }
 
@@ -326,7 +326,7 @@ private slots:
     std::unique_ptr<BoxAnswerer> save;
     QTimer::singleShot(400, &fixture.window, [&] { save = std::make_unique<BoxAnswerer>("Save"); });
     QVERIFY(fixture.window.close());
-    QVERIFY(readSessionFile(file.toStdString())->session == fixture.model().session());
+    QVERIFY(findSession(file.toStdString())->session == fixture.model().session());
   }
 
   void aLargeNumber_typed_isComeToByFittingTheView() {

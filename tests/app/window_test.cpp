@@ -4,6 +4,7 @@
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/near_special_cases.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/carriers/found_session.h"
 #include "widgets/lesson/task_row.h"
 #include "widgets/numbers/inspector.h"
 #include "widgets/picture/camera_views.h"
@@ -253,7 +254,7 @@ private slots:
         dialog->close();
     });
     fixture.window.findChild<QAction *>("save")->trigger();
-    const auto kept = readSessionFile(file.toStdString());
+    const auto kept = findSession(file.toStdString());
     QVERIFY(kept);
     QCOMPARE(kept->session.lesson, std::string("signed-distance"));
   }
@@ -293,7 +294,7 @@ private slots:
     QVERIFY(fixture.window.isWindowModified());
     fixture.window.findChild<QAction *>("save")->trigger();
     QTRY_VERIFY(QDir(Recovery::standardFolder()).entryList({"*.json"}).empty());
-    const auto saved = readSessionFile(file.toStdString());
+    const auto saved = findSession(file.toStdString());
     QVERIFY(saved && saved->session == work.session);
   }
 

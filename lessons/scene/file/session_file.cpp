@@ -1,6 +1,5 @@
 #include "lessons/scene/file/session_file.h"
 
-#include "lessons/files/read_file.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/file/camera_reader.h"
 #include "lessons/scene/file/large_meshes.h"
@@ -106,16 +105,6 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
     return scene.problem();
   session.scene = std::move(*scene);
   return session;
-}
-
-Result<SessionFile> readSessionFile(const std::filesystem::path &file) {
-  auto text = readFile(file, maxSessionBytes);
-  if (!text)
-    return text.problem();
-  auto session = readSession(*text, file.string());
-  if (!session)
-    return session.problem();
-  return SessionFile{std::move(*session), std::move(*text)};
 }
 
 Result<Session> withValue(Session session, std::string_view assignment) {

@@ -4,7 +4,8 @@
 #include "lessons/result.h"
 #include "lessons/scene/session.h"
 
-#include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace halfspace {
 
@@ -24,14 +25,5 @@ inline constexpr int maxSessionDepth = 32;
 
 /// A session after `name=value`, as --set takes it: Q=11,15,8, E.n=0,0,1.
 [[nodiscard]] Result<Session> withValue(Session session, std::string_view assignment);
-
-/// A session with the text of the file that it stands in.
-struct SessionFile {
-  Session session;
-  std::string text;
-};
-
-/// Reads a .halfspace file.
-[[nodiscard]] Result<SessionFile> readSessionFile(const std::filesystem::path &file);
 
 } // namespace halfspace
