@@ -5,6 +5,7 @@
 #include "app/parse_refusal.h"
 #include "lessons/guess.h"
 #include "lessons/words.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/exports/format.h"
 #include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/scene/offscreen.h"
@@ -112,6 +113,14 @@ std::string formatEndings(const std::string &separator) {
   std::string endings = ".png";
   for (const ExportFormat &format : exportFormats())
     endings += separator + format.ending;
+  return endings;
+}
+
+/// Those of pictures that can be opened again.
+std::string carrierEndings(const std::string &separator) {
+  std::string endings;
+  for (const Carrier &carrier : carriers())
+    endings += (endings.empty() ? "" : separator) + carrier.ending;
   return endings;
 }
 
@@ -225,6 +234,9 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();
   render->add_flag("--transparent", command.transparent, words("No background"));
+  render->add_flag("--anonymous", command.anonymous,
+                   words("Leave the scene out of the file: {endings} can be opened again with it",
+                         {{"endings", carrierEndings(", ")}}));
   render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
   render->add_option("--theme", arguments.theme, words("The picture's colours"))
       ->type_name(themeNames("|"))

@@ -68,6 +68,7 @@ struct RenderCommand {
   PixelSize size{1600, 1000};
   OwnLessons ownLessons{};
   bool transparent = false;
+  bool anonymous = false; ///< without the session, with which the picture could be opened again
   bool flat = false;      ///< the lesson's flat picture in the place of the one in space
   Theme theme = themes().front();
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the

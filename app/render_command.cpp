@@ -6,7 +6,9 @@
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/exports/draw_flat.h"
 #include "widgets/exports/draw_shapes.h"
 #include "widgets/exports/format.h"
@@ -62,6 +64,23 @@ struct Motif {
   Stage stage;
 };
 
+/// What is to be seen when a picture is opened again: its scene, at its step.
+Session sessionOf(const Motif &motif) {
+  Session session = motif.opened.session;
+  const std::size_t steps = motif.step ? motif.opened.lesson->steps.size() : 0;
+  for (std::size_t i = 0; i < steps; ++i)
+    if (&motif.opened.lesson->steps[i] == motif.step)
+      session.step = static_cast<int>(i);
+  return session;
+}
+
+/// A picture as its file holds it: with its session, unless that is to be left out.
+std::string fileContent(std::string picture, const Motif &motif) {
+  if (motif.command.anonymous)
+    return picture;
+  return withSession(std::move(picture), writeSession(sessionOf(motif)));
+}
+
 /// The pictures of a command, which are drawn one after the other.
 class Pictures {
 public:
@@ -78,11 +97,20 @@ class PixelPictures : public Pictures {
 public:
   [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
     const auto picture = draw(evaluation);
-    return picture ? writePng(*picture, file) : picture.problem();
+    if (!picture)
+      return picture.problem();
+    auto content = pngOf(*picture);
+    return content ? writeFile(file, fileContent(std::move(*content), m_motif)) : content.problem();
   }
+
+protected:
+  explicit PixelPictures(const Motif &motif) : m_motif(motif) {}
+  [[nodiscard]] const Motif &motif() const { return m_motif; }
 
 private:
   [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
+
+  Motif m_motif;
 };
 
 /// Flat pictures are each laid on their page by themselves.
@@ -97,21 +125,20 @@ Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluati
 
 class FlatPictures : public PixelPictures {
 public:
-  explicit FlatPictures(const Motif &motif) : m_motif(motif) {}
+  explicit FlatPictures(const Motif &motif) : PixelPictures(motif) {}
 
   void begin(const Evaluation &) override {}
 
 private:
   [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
-    const RenderCommand &command = m_motif.command;
-    const auto picture = flatPictureOf(m_motif, evaluation);
+    const RenderCommand &command = motif().command;
+    const auto picture = flatPictureOf(motif(), evaluation);
     if (!picture)
       return picture.problem();
     const View view = picture->fitted({{}, command.size, ownPixelRatio(command.size)});
     return drawFlat(picture->seenFrom(view), command.theme, view, command.transparent, m_typesetter);
   }
 
-  Motif m_motif;
   Typesetter m_typesetter;
 };
 
@@ -127,7 +154,7 @@ Camera cameraFor(const Motif &motif, const Evaluation &evaluation, PixelSize siz
 /// its beginning.
 class SpacePictures : public PixelPictures {
 public:
-  SpacePictures(const Motif &motif, const Camera &camera) : m_motif(motif), m_camera(camera) {}
+  SpacePictures(const Motif &motif, const Camera &camera) : PixelPictures(motif), m_camera(camera) {}
 
   void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
 
@@ -137,9 +164,9 @@ private:
     request.content = content(evaluation);
     request.labelledLike = m_beginning;
     request.camera = m_camera;
-    request.theme = m_motif.command.theme;
-    request.size = m_motif.command.size;
-    request.transparent = m_motif.command.transparent;
+    request.theme = motif().command.theme;
+    request.size = motif().command.size;
+    request.transparent = motif().command.transparent;
     auto picture = m_painter.draw(request);
     if (!picture)
       return picture.problem();
@@ -148,10 +175,9 @@ private:
     return RgbaImage(std::move(*picture));
   }
   [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
+    return contentOf(motif().opened.lesson, motif().step, evaluation, motif().stage);
   }
 
-  Motif m_motif;
   Camera m_camera;
   std::optional<SceneContent> m_beginning;
   bool m_hasToldOfOverfull = false; ///< of a flight once
@@ -171,7 +197,7 @@ public:
     const auto &[command, opened, step, stage] = m_motif;
     drawing->title = opened.lesson ? opened.lesson->title : command.subject;
     drawing->description = shownIn(step ? *step : LessonStep(), evaluation).description;
-    return writeFile(file, m_format.write(*drawing, m_typesetter.fonts()));
+    return writeFile(file, fileContent(m_format.write(*drawing, m_typesetter.fonts()), m_motif));
   }
 
 protected:

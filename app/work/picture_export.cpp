@@ -3,6 +3,9 @@
 #include "app/memory.h"
 #include "app/panels/window_look.h"
 #include "app/work/save_dialog.h"
+#include "lessons/files/write_file.h"
+#include "lessons/scene/file/session_file.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
 #include "widgets/typeset/label_painter.h"
@@ -12,8 +15,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QImage>
+#include <QMimeData>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -49,11 +55,21 @@ std::optional<RgbaImage> PictureExport::draw() {
   return std::move(*picture);
 }
 
+std::optional<std::string> PictureExport::fileOf(const RgbaImage &picture) {
+  auto file = pngOf(picture);
+  if (!file) {
+    m_messages.complain(QString::fromStdString(file.problem().text()));
+    return {};
+  }
+  return withSession(std::move(*file), writeSession(m_model.session()));
+}
+
 bool PictureExport::saveTo(const QString &file) {
   const auto picture = draw();
-  if (!picture)
+  const auto content = picture ? fileOf(*picture) : std::nullopt;
+  if (!content)
     return false;
-  if (const auto problem = writePng(*picture, file.toStdString())) {
+  if (const auto problem = writeFile(file.toStdString(), *content)) {
     m_messages.complain(QString::fromStdString(problem->text()));
     return false;
   }
@@ -69,10 +85,15 @@ void PictureExport::askAndSave() {
 }
 
 void PictureExport::copy() {
-  if (const auto picture = draw()) {
-    QApplication::clipboard()->setImage(toImage(*picture));
-    m_messages.say(tr("Picture copied."));
-  }
+  const auto picture = draw();
+  const auto content = picture ? fileOf(*picture) : std::nullopt;
+  if (!content)
+    return;
+  auto copied = std::make_unique<QMimeData>();
+  copied->setImageData(toImage(*picture));
+  copied->setData("image/png", QByteArray::fromStdString(*content));
+  QApplication::clipboard()->setMimeData(copied.release());
+  m_messages.say(tr("Picture copied."));
 }
 
 } // namespace halfspace

@@ -15,7 +15,8 @@ class SessionModel;
 class Typesetter;
 class WindowLook;
 
-/// Draws what the 3D view shows, without handles, twice as fine as on the screen.
+/// Draws what the 3D view shows, without handles, twice as fine as on the screen. The pictures carry the
+/// session, so that they can be opened again.
 class PictureExport : public QObject {
   Q_OBJECT
 public:
@@ -31,6 +32,8 @@ public:
 
 private:
   [[nodiscard]] std::optional<RgbaImage> draw();
+  /// The PNG file of a picture, with the session in it; nothing where it cannot be made, which is said.
+  [[nodiscard]] std::optional<std::string> fileOf(const RgbaImage &picture);
 
   const SessionModel &m_model;
   SceneView &m_scene;

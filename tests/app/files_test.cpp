@@ -4,11 +4,13 @@
 #include "app/library/own_lesson_folders.h"
 #include "app/standard_streams.h"
 #include "app/work/known_file.h"
+#include "app/work/picture_export.h"
 #include "tests/app/window_fixture.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -150,6 +152,37 @@ private slots:
     drop(fixture.window, other);
     QTRY_VERIFY2(box.text.contains("mine.halfspace"), qPrintable(box.text));
     QVERIFY(fixture.value("Q").x == Rational(3, 7));
+  }
+
+  void picture_dropped_opensItsScene_andIsNoFileForSave() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("scene.PNG");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    QVERIFY(fixture.window.findChild<PictureExport *>()->saveTo(file));
+    WindowFixture other("ray-sphere");
+    QVERIFY(other.ready);
+    drop(other.window, file);
+    QTRY_COMPARE(other.model().lesson().id, std::string("signed-distance"));
+    QVERIFY(other.model().session() == before);
+    QVERIFY(!other.window.files().file());
+    QVERIFY(!other.window.files().hasChanges());
+  }
+
+  void picture_withoutAScene_opened_saysSo_andLeavesTheSession() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("foreign.png");
+    QImage picture(8, 8, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QVERIFY(picture.save(file));
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const BoxCloser box;
+    fixture.window.files().open(file);
+    QVERIFY2(box.text.contains("This picture holds no scene of Halfspace."), qPrintable(box.text));
+    QVERIFY(fixture.model().session() == before);
   }
 
   void lesson_dropped_isOpened() {

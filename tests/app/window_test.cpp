@@ -4,6 +4,7 @@
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/near_special_cases.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/carriers/found_session.h"
 #include "widgets/lesson/task_row.h"
 #include "widgets/numbers/inspector.h"
@@ -18,6 +19,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -693,9 +695,16 @@ private slots:
     const QSize expected = twice();
     QVERIFY(fixture.window.findChild<PictureExport *>()->saveTo(file));
     QCOMPARE(QImage(file).size(), expected);
+    const auto carried = findSession(file.toStdString());
+    QVERIFY(carried && carried->isInPicture);
+    QCOMPARE(carried->text, writeSession(fixture.model().session()));
     const QSize expectedCopy = twice(); // the words that tell of the file may have taken room
     fixture.window.findChild<PictureExport *>()->copy();
     QCOMPARE(QApplication::clipboard()->image().size(), expectedCopy);
+    const std::string copied = QApplication::clipboard()->mimeData()->data("image/png").toStdString();
+    const Carrier *carrier = carrierOf(copied);
+    QVERIFY(carrier);
+    QCOMPARE(*carrier->take(copied), carried->text);
     // The live view still draws after the other context was current.
     QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
     fixture.scene().handles().select("Q");

@@ -10,9 +10,10 @@
 #include <vtkUnsignedCharArray.h>
 
 namespace halfspace {
-std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem::path &file) {
+
+Result<std::string> pngOf(const RgbaImage &picture) {
   if (picture.width < 1 || picture.height < 1)
-    return Problem{words("The picture is empty."), file.string(), 0, {}};
+    return Problem{words("The picture is empty."), "", 0, ""};
   vtkNew<vtkImageData> image;
   write(picture, image);
   vtkNew<vtkPNGWriter> writer;
@@ -22,10 +23,17 @@ std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem:
 
   vtkUnsignedCharArray *bytes = writer->GetResult();
   if (!bytes)
-    return Problem{words("There is not enough memory for this picture."), file.string(), 0, {}};
+    return Problem{words("There is not enough memory for this picture."), "", 0, ""};
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): files are chars.
-  return writeFile(file, {reinterpret_cast<const char *>(bytes->GetPointer(0)),
-                          static_cast<std::size_t>(bytes->GetNumberOfValues())});
+  return std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)),
+                     static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem::path &file) {
+  const auto content = pngOf(picture);
+  if (!content)
+    return Problem{content.problem().sentence, file.string(), 0, ""};
+  return writeFile(file, *content);
 }
 
 } // namespace halfspace

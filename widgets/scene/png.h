@@ -9,6 +9,9 @@
 
 namespace halfspace {
 
+/// A picture as the content of a PNG file.
+[[nodiscard]] Result<std::string> pngOf(const RgbaImage &picture);
+
 /// Writes a PNG file, as writeFile does.
 [[nodiscard]] std::optional<Problem> writePng(const RgbaImage &picture, const std::filesystem::path &file);
 
