@@ -3,40 +3,14 @@
 #include "lessons/language.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
+#include "lessons/xml_text.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace halfspace {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string xml;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      xml += "&amp;";
-      break;
-    case '<':
-      xml += "&lt;";
-      break;
-    case '>':
-      xml += "&gt;";
-      break;
-    case '"':
-      xml += "&quot;";
-      break;
-    default:
-      xml += c;
-    }
-  return xml;
-}
-
-std::string element(const std::string &name, const std::string &content) {
-  return "<" + name + ">" + content + "</" + name + ">";
-}
-
-std::string operation(std::string_view sign) { return element("mo", escaped(sign)); }
+std::string operation(std::string_view sign) { return xmlElement("mo", escapedForXml(sign)); }
 
 class MathMlNotation : public Notation<std::string> {
 public:
@@ -44,25 +18,25 @@ public:
     std::string content;
     for (const std::string &part : parts)
       content += part;
-    return parts.size() == 1 ? content : element("mrow", content);
+    return parts.size() == 1 ? content : xmlElement("mrow", content);
   }
 
   [[nodiscard]] std::string digits(const std::string &decimal) const override {
-    return element("mn", escaped(withDecimalMark(decimal)));
+    return xmlElement("mn", escapedForXml(withDecimalMark(decimal)));
   }
 
   [[nodiscard]] std::string symbol(const Symbol &symbol) const override {
-    std::string text = element("mi", escaped(withoutPrime(symbol.letter)));
+    std::string text = xmlElement("mi", escapedForXml(withoutPrime(symbol.letter)));
     if (symbol.isVector)
       text = "<mover accent=\"true\">" + text + operation("→") + "</mover>";
     if (isPrimed(symbol.letter))
-      text = element("msup", text + operation(primeSign));
+      text = xmlElement("msup", text + operation(primeSign));
     std::string index = symbol.subscript.empty() ? "" : subscript(symbol.subscript);
     if (!symbol.owner.empty())
-      index = element("mrow", index + this->symbol(symbolOf(symbol.owner)));
+      index = xmlElement("mrow", index + this->symbol(symbolOf(symbol.owner)));
     if (!index.empty())
-      text = element("msub", text + index);
-    return symbol.isPerp ? element("msup", text + operation("⊥")) : text;
+      text = xmlElement("msub", text + index);
+    return symbol.isPerp ? xmlElement("msup", text + operation("⊥")) : text;
   }
 
   [[nodiscard]] std::string sign(TermSign sign) const override {
@@ -110,13 +84,13 @@ public:
   [[nodiscard]] std::string fraction(std::string top, std::string bottom, FractionLook look) const override {
     if (look.flat)
       return row({std::move(top), operation("/"), std::move(bottom)});
-    const std::string fraction = element("mfrac", top + bottom);
+    const std::string fraction = xmlElement("mfrac", top + bottom);
     return look.small ? "<mstyle displaystyle=\"false\">" + fraction + "</mstyle>" : fraction;
   }
-  [[nodiscard]] std::string root(std::string square) const override { return element("msqrt", square); }
+  [[nodiscard]] std::string root(std::string square) const override { return xmlElement("msqrt", square); }
   [[nodiscard]] std::string norm(std::string vector) const override { return fenced("|", vector, "|"); }
   [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
-    return element("msup", base + exponent);
+    return xmlElement("msup", base + exponent);
   }
 
   [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
@@ -132,10 +106,10 @@ public:
     for (std::size_t i = 0; i < entries.size(); i += columns) {
       std::string cells;
       for (std::size_t column = 0; column < columns; ++column)
-        cells += element("mtd", entries[i + column]);
-      rows += element("mtr", cells);
+        cells += xmlElement("mtd", entries[i + column]);
+      rows += xmlElement("mtr", cells);
     }
-    const std::string table = element("mtable", rows);
+    const std::string table = xmlElement("mtable", rows);
     return isDeterminant ? fenced("|", table, "|") : fenced("(", table, ")");
   }
 
@@ -146,7 +120,8 @@ public:
   }
 
   [[nodiscard]] std::string touchable(const Term &term, std::string text) const override {
-    return term->mark.empty() ? text : "<mrow data-mark=\"" + escaped(term->mark) + "\">" + text + "</mrow>";
+    return term->mark.empty() ? text
+                              : "<mrow data-mark=\"" + escapedForXml(term->mark) + "\">" + text + "</mrow>";
   }
 
   [[nodiscard]] bool isFlat() const override { return false; }
@@ -154,11 +129,11 @@ public:
 private:
   static std::string subscript(const std::string &text) {
     const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos;
-    return element(isNumber ? "mn" : "mi", escaped(text));
+    return xmlElement(isNumber ? "mn" : "mi", escapedForXml(text));
   }
 
   static std::string fenced(std::string_view open, const std::string &inside, std::string_view close) {
-    return element("mrow", operation(open) + inside + operation(close));
+    return xmlElement("mrow", operation(open) + inside + operation(close));
   }
 };
 

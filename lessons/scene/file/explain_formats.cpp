@@ -2,17 +2,13 @@
 
 #include "eval/answer.h"
 #include "lessons/scene/file/scene_writer.h"
-#include "lessons/term/greek.h"
 #include "lessons/term/latex.h"
+#include "lessons/term/latex_words.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/spoken.h"
 #include "lessons/term/written.h"
-#include "lessons/text.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
 
 namespace halfspace {
 namespace {
@@ -68,80 +64,6 @@ std::string alignedLatex(const WorkingLine &line) {
   std::string latex = latexOf(line);
   const std::size_t relation = latexOf(line.chains.front(), 0, 1).size();
   return latex.size() > relation ? latex.replace(relation, 1, " &") : latex + " &";
-}
-
-struct TextLatex {
-  std::string_view text;
-  std::string_view latex;
-};
-
-/// What a sentence of ours may hold that LaTeX reads otherwise, or that pdflatex does not know.
-constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
-                                    TextLatex{"^", "\\^{}"},
-                                    TextLatex{"~", "\\~{}"},
-                                    TextLatex{"&", "\\&"},
-                                    TextLatex{"%", "\\%"},
-                                    TextLatex{"$", "\\$"},
-                                    TextLatex{"#", "\\#"},
-                                    TextLatex{"_", "\\_"},
-                                    TextLatex{"{", "\\{"},
-                                    TextLatex{"}", "\\}"},
-                                    TextLatex{"−", "$-$"},
-                                    TextLatex{"·", "$\\cdot$"},
-                                    TextLatex{"×", "$\\times$"},
-                                    TextLatex{"⊥", "$^{\\perp}$"},
-                                    TextLatex{"√", "$\\surd$"},
-                                    TextLatex{"≈", "$\\approx$"},
-                                    TextLatex{"≠", "$\\neq$"},
-                                    TextLatex{"≤", "$\\leq$"},
-                                    TextLatex{"≥", "$\\geq$"},
-                                    TextLatex{"°", "$^{\\circ}$"},
-                                    TextLatex{"∈", "$\\in$"},
-                                    TextLatex{"⇒", "$\\Rightarrow$"},
-                                    TextLatex{"→", "$\\to$"},
-                                    TextLatex{"′", "$^{\\prime}$"},
-                                    TextLatex{"₀", "$_{0}$"},
-                                    TextLatex{"₁", "$_{1}$"},
-                                    TextLatex{"₂", "$_{2}$"},
-                                    TextLatex{"₃", "$_{3}$"},
-                                    TextLatex{"⁰", "$^{0}$"},
-                                    TextLatex{"¹", "$^{1}$"},
-                                    TextLatex{"²", "$^{2}$"},
-                                    TextLatex{"³", "$^{3}$"},
-                                    TextLatex{"⁴", "$^{4}$"},
-                                    TextLatex{"⁵", "$^{5}$"},
-                                    TextLatex{"⁶", "$^{6}$"},
-                                    TextLatex{"⁷", "$^{7}$"},
-                                    TextLatex{"⁸", "$^{8}$"},
-                                    TextLatex{"⁹", "$^{9}$"},
-                                    TextLatex{"⁻", "$^{-}$"}};
-
-/// Whether pdflatex can set a character that is not in the table: Latin letters (some of them in the T1
-/// encoding alone) and the usual punctuation.
-bool isKnownToPdflatex(std::string_view character) {
-  constexpr std::string_view firstOther = "\u0180";
-  constexpr std::string_view firstPunctuation = "\u2013";
-  constexpr std::string_view lastPunctuation = "\u2026";
-  // Bytes in UTF-8 are in the order of the characters.
-  return character < firstOther || (character >= firstPunctuation && character <= lastPunctuation);
-}
-
-/// Words in LaTeX. A character that pdflatex would stop at becomes a question mark.
-std::string escaped(std::string_view text) {
-  std::string latex;
-  while (!text.empty()) {
-    const std::string_view character = text.substr(0, std::max<std::size_t>(characterLength(text), 1));
-    const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
-                                    [&](const TextLatex &each) { return each.text == character; });
-    if (known != textCharacters.end())
-      latex += known->latex;
-    else if (const GreekLetter *greek = greekLetter(character))
-      latex += "$\\" + std::string(greek->latex) + "$";
-    else
-      latex += isKnownToPdflatex(character) ? character : "?";
-    text.remove_prefix(character.size());
-  }
-  return latex;
 }
 
 Json workingJson(const EvaluatedEntry &entry) {
@@ -223,7 +145,7 @@ std::string latexOf(const EvaluatedEntry &entry) {
     lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(*entry.outcome->explanation->find(id));
   if (!lines.empty())
     lines = "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
-  return lines + escaped(entry.outcome->told->description) + "\n";
+  return lines + latexWords(entry.outcome->told->description) + "\n";
 }
 
 } // namespace
@@ -249,9 +171,10 @@ std::string explanationText(const std::string &title, const Evaluation &evaluati
 
 std::string explanationLatex(const std::string &title, const Evaluation &evaluation) {
   const auto entries = constructionsOf(evaluation);
-  std::string latex = "\\paragraph{" + escaped(title) + "}\n";
+  std::string latex = "\\paragraph{" + latexWords(title) + "}\n";
   for (const EvaluatedEntry *entry : entries)
-    latex += (entries.size() > 1 ? "\\subparagraph{" + escaped(entry->name) + "}\n" : "") + latexOf(*entry);
+    latex +=
+        (entries.size() > 1 ? "\\subparagraph{" + latexWords(entry->name) + "}\n" : "") + latexOf(*entry);
   return latex;
 }
 
