@@ -206,8 +206,8 @@ CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
       app.add_subcommand("explain", words("Print values, worked lines and the case in plain words"));
   addSubject(*explain, command.subject, command.assignments);
   explain->add_option("--format", command.format, words("How it is written"))
-      ->type_name("text|latex|json")
-      ->check(CLI::IsMember({"text", "latex", "json"}).description(""))
+      ->type_name("text|latex|mathml|json")
+      ->check(CLI::IsMember({"text", "latex", "mathml", "json"}).description(""))
       ->capture_default_str();
   return explain;
 }

@@ -43,7 +43,7 @@ struct CheckCommand {
 struct ExplainCommand {
   std::string subject;
   std::vector<std::string> assignments; ///< name=value
-  std::string format = "text";          ///< text, latex or json
+  std::string format = "text";          ///< text, latex, mathml or json
   OwnLessons ownLessons{};
 };
 

@@ -143,8 +143,10 @@ int runExplain(const ExplainCommand &command) {
   const std::string title = printable(opened->lesson ? opened->lesson->title : opened->session.lesson);
   if (command.format == "json")
     return printOut(explanationJson(opened->session.lesson, scene, evaluation));
-  return printOut(command.format == "latex" ? explanationLatex(title, evaluation)
-                                            : explanationText(title, evaluation));
+  if (command.format == "latex")
+    return printOut(explanationLatex(title, evaluation));
+  return printOut(command.format == "mathml" ? explanationMathMl(title, evaluation)
+                                             : explanationText(title, evaluation));
 }
 
 } // namespace halfspace

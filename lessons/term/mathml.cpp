@@ -5,6 +5,7 @@
 #include "lessons/term/term_writer.h"
 #include "lessons/xml_text.h"
 
+#include <cstdint>
 #include <string_view>
 
 namespace halfspace {
@@ -12,8 +13,13 @@ namespace {
 
 std::string operation(std::string_view sign) { return xmlElement("mo", escapedForXml(sign)); }
 
+/// Whether terms that are marks of the figure carry their ids.
+enum class MarkIds : std::uint8_t { Carried, LeftOut };
+
 class MathMlNotation : public Notation<std::string> {
 public:
+  explicit MathMlNotation(MarkIds markIds) : m_markIds(markIds) {}
+
   [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string content;
     for (const std::string &part : parts)
@@ -120,8 +126,8 @@ public:
   }
 
   [[nodiscard]] std::string touchable(const Term &term, std::string text) const override {
-    return term->mark.empty() ? text
-                              : "<mrow data-mark=\"" + escapedForXml(term->mark) + "\">" + text + "</mrow>";
+    const bool carriesId = m_markIds == MarkIds::Carried && !term->mark.empty();
+    return !carriesId ? text : "<mrow data-mark=\"" + escapedForXml(term->mark) + "\">" + text + "</mrow>";
   }
 
   [[nodiscard]] bool isFlat() const override { return false; }
@@ -135,16 +141,37 @@ private:
   static std::string fenced(std::string_view open, const std::string &inside, std::string_view close) {
     return xmlElement("mrow", operation(open) + inside + operation(close));
   }
+
+  MarkIds m_markIds;
 };
 
-std::string document(const std::string &content) {
-  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\">" + content + "</math>";
+/// `attributes`: each with a space before it.
+std::string document(const std::string &content, std::string_view attributes = {}) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"" + std::string(attributes) + ">" + content +
+         "</math>";
+}
+
+template <class Terms> std::string withMarkIds(const Terms &terms) {
+  return document(TermWriter(MathMlNotation(MarkIds::Carried)).write(terms));
 }
 
 } // namespace
 
-std::string mathMl(const Term &term) { return document(TermWriter(MathMlNotation()).write(term)); }
+std::string mathMl(const Term &term) { return withMarkIds(term); }
 
-std::string mathMl(const Chain &chain) { return document(TermWriter(MathMlNotation()).write(chain)); }
+std::string mathMl(const Chain &chain) { return withMarkIds(chain); }
+
+std::string mathMlRow(const Chain &chain, std::size_t begin, std::size_t end) {
+  return TermWriter(MathMlNotation(MarkIds::LeftOut)).write(chain, begin, end);
+}
+
+std::string displayedMathMl(const std::vector<std::string> &rows) {
+  // The gap is as wide as LaTeX's quad.
+  const std::string separator = operation(",") + "<mspace width=\"1em\"/>";
+  std::string content;
+  for (const std::string &row : rows)
+    content += (content.empty() ? "" : separator) + row;
+  return document(content, " display=\"block\"");
+}
 
 } // namespace halfspace

@@ -21,7 +21,7 @@ TEST_F(Program, CompleteWords_OffersWhatMayStandThere) {
   const std::pair<const char *, const char *> cases[] = {
       {"exp", "file\nexplain\n"},
       {"explain signed-d", "file\nsigned-distance\n"},
-      {"explain signed-distance --format ''", "\ntext\nlatex\njson\n"},
+      {"explain signed-distance --format ''", "\ntext\nlatex\nmathml\njson\n"},
       {"render signed-distance --theme = da", "\ndark\n"},
       {"render signed-distance --theme =", "\nlight\ndark\nprint\nprojector\n"},
       {"render signed-distance -o ''", "file\n"},

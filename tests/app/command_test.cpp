@@ -130,6 +130,15 @@ TEST_F(Program, ExplainAsLatex_IsOneAlignedBlock) {
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '{'), std::count(ran.out.begin(), ran.out.end(), '}'));
 }
 
+TEST_F(Program, ExplainAsMathMl_IsASectionOfAPage) {
+  const Ran ran = run("explain ray-plane-dot --format mathml");
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_EQ(ran.err, "");
+  EXPECT_TRUE(ran.out.starts_with("<section>\n<h2>Where does a ray meet a plane?</h2>\n<p><math "))
+      << ran.out;
+  EXPECT_TRUE(ran.out.ends_with("</p>\n</section>\n")) << ran.out;
+}
+
 TEST_F(Program, ExplainDegenerateInput_SaysWhatIsWrongWithIt) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"plane-implicit --set n=0,0,0", "zero-normal"},

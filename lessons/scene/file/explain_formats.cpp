@@ -1,12 +1,13 @@
 #include "lessons/scene/file/explain_formats.h"
 
 #include "eval/answer.h"
+#include "lessons/construction/line_text.h"
 #include "lessons/scene/file/scene_writer.h"
-#include "lessons/term/latex.h"
 #include "lessons/term/latex_words.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/spoken.h"
 #include "lessons/term/written.h"
+#include "lessons/xml_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -57,13 +58,6 @@ std::string valueLines(const std::vector<NamedValue> &values) {
     else if (!std::holds_alternative<std::monostate>(value.label))
       text += readName(value) + valueText(value.value) + "\n";
   return text;
-}
-
-/// One line, with the alignment mark before its first relation, in place of the space there.
-std::string alignedLatex(const WorkingLine &line) {
-  std::string latex = latexOf(line);
-  const std::size_t relation = latexOf(line.chains.front(), 0, 1).size();
-  return latex.size() > relation ? latex.replace(relation, 1, " &") : latex + " &";
 }
 
 Json workingJson(const EvaluatedEntry &entry) {
@@ -124,14 +118,15 @@ std::string placesText(const Evaluation &evaluation) {
   return text;
 }
 
+std::vector<ToldLine> linesOf(const EvaluatedEntry &entry) {
+  std::vector<ToldLine> lines;
+  for (const std::string &id : entry.outcome->explanation->ids())
+    lines.push_back({entry.outcome->explanation->find(id)});
+  return lines;
+}
+
 std::string textOf(const EvaluatedEntry &entry) {
-  std::string text;
-  for (const std::string &id : entry.outcome->explanation->ids()) {
-    const WorkingLine &line = *entry.outcome->explanation->find(id);
-    text += plainText(line) + "\n";
-    if (!line.sentence.empty())
-      text += "    " + line.sentence + "\n";
-  }
+  std::string text = workingText(linesOf(entry), DocumentFormat::PlainText);
   for (const std::string &part :
        {valueLines(*entry.outcome->values), entry.outcome->told->description + "\n"})
     if (!part.empty())
@@ -140,12 +135,13 @@ std::string textOf(const EvaluatedEntry &entry) {
 }
 
 std::string latexOf(const EvaluatedEntry &entry) {
-  std::string lines;
-  for (const std::string &id : entry.outcome->explanation->ids())
-    lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(*entry.outcome->explanation->find(id));
-  if (!lines.empty())
-    lines = "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
-  return lines + latexWords(entry.outcome->told->description) + "\n";
+  return workingText(linesOf(entry), DocumentFormat::Latex) + latexWords(entry.outcome->told->description) +
+         "\n";
+}
+
+std::string mathMlOf(const EvaluatedEntry &entry) {
+  return workingText(linesOf(entry), DocumentFormat::MathMl) +
+         xmlElement("p", escapedForXml(entry.outcome->told->description)) + "\n";
 }
 
 } // namespace
@@ -176,6 +172,15 @@ std::string explanationLatex(const std::string &title, const Evaluation &evaluat
     latex +=
         (entries.size() > 1 ? "\\subparagraph{" + latexWords(entry->name) + "}\n" : "") + latexOf(*entry);
   return latex;
+}
+
+std::string explanationMathMl(const std::string &title, const Evaluation &evaluation) {
+  const auto entries = constructionsOf(evaluation);
+  std::string html = xmlElement("h2", escapedForXml(title)) + "\n";
+  for (const EvaluatedEntry *entry : entries)
+    html +=
+        (entries.size() > 1 ? xmlElement("h3", escapedForXml(entry->name)) + "\n" : "") + mathMlOf(*entry);
+  return xmlElement("section", "\n" + html) + "\n";
 }
 
 } // namespace halfspace

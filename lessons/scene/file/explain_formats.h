@@ -17,7 +17,10 @@ namespace halfspace {
 /// there are several.
 [[nodiscard]] std::string explanationText(const std::string &title, const Evaluation &evaluation);
 
-/// The same as LaTeX, the lines in an align* environment, the description as text.
+/// The lines and the description as LaTeX, the lines in an align* environment of amsmath, the words as text.
 [[nodiscard]] std::string explanationLatex(const std::string &title, const Evaluation &evaluation);
+
+/// The same as a `<section>` of a page: HTML that is XML as well, the lines as MathML.
+[[nodiscard]] std::string explanationMathMl(const std::string &title, const Evaluation &evaluation);
 
 } // namespace halfspace

@@ -99,14 +99,24 @@ TEST(ExplanationText, OfABoundPoint_TellsWhereItIsOrWhyNowhere) {
 
 TEST(ExplanationLatex, AlignsAtTheFirstRelationAndEscapesWords) {
   const std::string latex = explanationLatex("50 %", sample());
-  for (const char *part :
-       {"\\paragraph{50 \\%}", "\\begin{align*}", "t &= \\frac{a}{b} = \\frac{2/7}",
-        "100\\% done\\_ok \\{now\\}", "$\\lambda$ $\\approx$ $-$2$\\cdot$10$^{-}$$^{3}$$^{\\circ}$"})
+  for (const char *part : {"\\paragraph{50 \\%}", "\\begin{align*}", "t &= \\frac{a}{b} = \\frac{2/7}",
+                           "\\end{align*}\nIt is < 1 \\& so on.\n", "100\\% done\\_ok \\{now\\}",
+                           "$\\lambda$ $\\approx$ $-$2$\\cdot$10$^{-}$$^{3}$$^{\\circ}$"})
     EXPECT_NE(latex.find(part), std::string::npos) << part << "\n" << latex;
   EXPECT_EQ(latex.find("\\mark"), std::string::npos);
   EXPECT_TRUE(std::all_of(latex.begin(), latex.end(), [](char c) {
     return static_cast<unsigned char>(c) < 128;
   })) << "pdflatex knows no other characters";
+}
+
+TEST(ExplanationMathMl, IsASectionWithTheWordsAsParagraphs) {
+  const std::string html = explanationMathMl("a < b", sample());
+  EXPECT_TRUE(html.starts_with("<section>\n<h2>a &lt; b</h2>\n<p><math ")) << html;
+  for (const char *part : {"<mfrac><mi>a</mi><mi>b</mi></mfrac>", "<p>It is &lt; 1 &amp; so on.</p>\n",
+                           "<p>100% done_ok {now}: λ ≈ −2·10⁻³°</p>\n</section>\n"})
+    EXPECT_NE(html.find(part), std::string::npos) << part << "\n" << html;
+  EXPECT_EQ(html.find("data-mark"), std::string::npos);
+  EXPECT_EQ(html.find("<h3>"), std::string::npos) << "there is only one construction";
 }
 
 } // namespace
