@@ -19,6 +19,7 @@
 #include "app/standard_streams.h"
 #include "app/window_settings.h"
 #include "app/work/picture_export.h"
+#include "app/work/working_copy.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -87,6 +88,7 @@ SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
 void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents) {
   auto *pictures =
       new PictureExport(m_model, sceneView(), m_look, m_panels.typesetter(), m_panels.messages(), this);
+  auto *working = new WorkingCopy(m_panels.practice().working(), m_panels.messages(), this);
   auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
@@ -95,7 +97,7 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
   bar->addMenu(file);
-  bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), bar));
+  bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), *working, bar));
   bar->addMenu(new ViewMenu(*camera, m_look, m_layout, m_panels, bar));
   bar->addMenu(new LessonMenu(m_step.turner(), m_step.page(), m_step.flight(), contents, *glossary, *formulas,
                               ownLessons, bar));

@@ -3,6 +3,7 @@
 #include "app/menus/add_item.h"
 #include "app/step/fresh_start.h"
 #include "app/work/scene_meshes.h"
+#include "app/work/working_copy.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
 
@@ -32,11 +33,12 @@ QAction *addHistoryItem(QMenu &menu, const QString &name, const QString &nameOfW
 } // namespace
 
 EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
-                   QWidget *parent)
+                   const WorkingCopy &working, QWidget *parent)
     : QMenu(tr("&Edit"), parent) {
   addHistory(model.history());
   addSeparator();
   addItem(*this, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [&freshStart] { freshStart.startOver(); });
+  addCopyMenu(working);
   addCornerItems(scene);
   addMeshItems(meshes, scene.handles());
   addSnapMenu(model.snapping());
@@ -49,6 +51,18 @@ void EditMenu::addHistory(SessionHistory &history) {
   addHistoryItem(*this, tr("&Redo"), tr("&Redo %1"), history, &SessionHistory::redo, [&history] {
     return history.redoText();
   })->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
+}
+
+void EditMenu::addCopyMenu(const WorkingCopy &working) {
+  QMenu &menu = *addMenu(tr("Copy &Working As"));
+  menu.setObjectName("copyWorking");
+  const auto add = [&](const QString &name, DocumentFormat format) {
+    addItem(menu, name, {}, this, [&working, format] { working.copy(format); });
+  };
+  add(tr("&LaTeX"), DocumentFormat::Latex);
+  add(tr("&MathML"), DocumentFormat::MathMl);
+  add(tr("&Plain Text"), DocumentFormat::PlainText);
+  connect(this, &QMenu::aboutToShow, &menu, [&menu, &working] { menu.setEnabled(working.canCopy()); });
 }
 
 void EditMenu::addCornerItems(SceneView &scene) {

@@ -1,4 +1,4 @@
-// Edit: the history, a fresh start, corners, meshes, and what is snapped to.
+// Edit: the history, a fresh start, the working to take elsewhere, corners, meshes, and what is snapped to.
 #pragma once
 
 #include <QMenu>
@@ -11,6 +11,7 @@ class SceneHandles;
 class SceneView;
 class SessionHistory;
 class SessionModel;
+class WorkingCopy;
 struct Snapping;
 
 class EditMenu : public QMenu {
@@ -18,10 +19,11 @@ class EditMenu : public QMenu {
 public:
   /// All must outlive it.
   EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
-           QWidget *parent);
+           const WorkingCopy &working, QWidget *parent);
 
 private:
   void addHistory(SessionHistory &history);
+  void addCopyMenu(const WorkingCopy &working);
   /// For a selected corner of a polygon or a prism.
   void addCornerItems(SceneView &scene);
   /// For a selected mesh.

@@ -104,6 +104,7 @@ std::vector<Section> sections() {
         {{}, {}, tr("Click a number to see where it comes from.")},
         {scrubbed(), {}, tr("Drag a number that is a coordinate sideways, or double-click it to type.")},
         {{}, tr("Enter"), tr("checks what is typed in a blank, Escape leaves it")},
+        {{}, tr("Ctrl C"), tr("copies a line as LaTeX, the right button as MathML and plain text too")},
         {{}, tr("Ctrl ← →"), tr("go from step to step")}}},
       {tr("View"),
        {{turning(), {}, tr("Drag beside the handles to turn the view, with the right button to move it.")},

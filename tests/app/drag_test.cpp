@@ -1,6 +1,7 @@
 // Every handle of every lesson, dragged with the mouse in a real window.
 #include "lessons/object/kinds/plane.h"
 #include "tests/app/window_fixture.h"
+#include "tests/widgets/working/told_latex.h"
 
 #include "lessons/construction/working.h"
 
@@ -42,7 +43,7 @@ public:
       ++paintings;
       const Scene &now = m_fixture.model().session().scene;
       const auto &firstLine = m_fixture.model().shown().working.lines[0];
-      const bool sameLines = m_lines.latexOfAll().contains(QString::fromStdString(latexOf(firstLine)));
+      const bool sameLines = latexIn(m_lines).contains(QString::fromStdString(latexOf(firstLine)));
       mixtures += !m_drawn || !(*m_drawn == now) || !sameLines;
     }
     return QObject::eventFilter(watched, event);

@@ -4,6 +4,9 @@
 #include "lessons/object/kinds/plane.h"
 #include "lessons/term/plain_text.h"
 
+#include <QApplication>
+#include <QClipboard>
+
 using namespace halfspace;
 
 namespace {
@@ -34,6 +37,8 @@ public:
     QCoreApplication::sendEvent(&widget, &move);
     QTest::qWait(20);
   }
+  /// Edit > Copy Working As.
+  [[nodiscard]] QMenu &copyMenu() const { return *window.findChild<QMenu *>("copyWorking"); }
   NumberField *openField(const QPoint &place) {
     QTest::mouseDClick(&lines(), Qt::LeftButton, {}, place);
     return lines().findChild<NumberField *>();
@@ -63,6 +68,30 @@ private slots:
     fixture.scene().setFocus();
     QTest::keyClick(&fixture.scene(), Qt::Key_Escape);
     QCOMPARE(fixture.scene().drawn().highlighted(), Ids());
+  }
+
+  void workingOfTheStep_copiedFromTheEditMenu_isInTheChosenFormat() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const QString beginnings[] = {"\\begin{align*}\n", "<p><math ", "f(Q) = "};
+    for (int i = 0; i < 3; ++i) {
+      fixture.copyMenu().actions().at(i)->trigger();
+      const QString copied = QApplication::clipboard()->text();
+      QVERIFY2(copied.startsWith(beginnings[i]), qPrintable(copied));
+    }
+    QVERIFY(QApplication::clipboard()->text().contains("dist = f(Q)/|n| = 30/3 = 10\n"));
+  }
+
+  void workingBehindAnOpenQuestion_isNotCopied() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto &steps = fixture.model().lesson().steps;
+    const auto asks = std::find_if(steps.begin(), steps.end(), predictionOf);
+    QVERIFY(asks != steps.end());
+    fixture.model().setStep(static_cast<int>(asks - steps.begin()));
+    fixture.copyMenu().actions().at(2)->trigger();
+    for (const ToldLine &told : fixture.practice().working().toldLines())
+      QVERIFY(!told.isWhole);
   }
 
   void traceOfANumber_endsWithItsStep() {

@@ -46,17 +46,12 @@ std::string ShownLines::spokenOf(const WorkingLine &line) const {
   return halfspace::spoken(line) + (line.sentence.empty() ? "" : ". " + line.sentence);
 }
 
-QString ShownLines::latexOf(std::size_t line) const {
-  const WorkingLine &shown = m_lines.at(line);
-  return QString::fromStdString(hides(shown.id) ? halfspace::latexOf(shown, LinePiece::Symbols)
-                                                : halfspace::latexOf(shown));
-}
-
-QString ShownLines::latex() const {
-  QStringList lines;
-  for (std::size_t i = 0; i < m_lines.size(); ++i)
-    lines << latexOf(i);
-  return lines.join(QLatin1String(" \\\\\n"));
+std::vector<ToldLine> ShownLines::told() const {
+  std::vector<ToldLine> told;
+  told.reserve(m_lines.size());
+  for (const WorkingLine &line : m_lines)
+    told.push_back({&line, !hides(line.id)});
+  return told;
 }
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 // What a block shows of a step's working, and what it leaves to the learner.
 #pragma once
 
-#include "lessons/construction/working.h"
+#include "lessons/construction/line_text.h"
 #include "lessons/lesson/practice.h"
 
 #include <QString>
@@ -30,9 +30,8 @@ public:
 
   /// The lines to be read aloud, one below the other.
   [[nodiscard]] QString spoken() const;
-  /// A line as LaTeX, and all of them, one below the other.
-  [[nodiscard]] QString latexOf(std::size_t line) const;
-  [[nodiscard]] QString latex() const;
+  /// The lines as they may be taken elsewhere; this must outlive them.
+  [[nodiscard]] std::vector<ToldLine> told() const;
 
 private:
   [[nodiscard]] std::string spokenOf(const WorkingLine &line) const;

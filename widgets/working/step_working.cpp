@@ -67,6 +67,16 @@ void StepWorking::setWorking(const Working &working, const std::vector<std::size
   followTrace();
 }
 
+std::vector<ToldLine> StepWorking::toldLines() const {
+  std::vector<ToldLine> lines;
+  for (const WorkingBlock *block : m_blocks)
+    if (block->isVisibleTo(block->window())) {
+      const std::vector<ToldLine> more = block->toldLines();
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+  return lines;
+}
+
 bool StepWorking::isTyping() const {
   const QWidget *focused = QApplication::focusWidget();
   return std::any_of(m_blocks.begin(), m_blocks.end(), [&](const WorkingBlock *block) {

@@ -28,6 +28,10 @@ public:
   /// asked for when they are; without it they are followed through the lines that are shown.
   void setWholeWorking(std::function<Working()> working) { m_wholeWorking = std::move(working); }
 
+  /// The lines that stand on the page, in all blocks but those that are hidden with what is around them. They
+  /// last until the next setWorking.
+  [[nodiscard]] std::vector<ToldLine> toldLines() const;
+
   void setTheme(const Theme &theme);
   /// The colour of marked terms, asked for at every painting.
   void setInkOf(std::function<QColor(const QString &markId)> inkOf);

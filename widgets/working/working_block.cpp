@@ -161,7 +161,7 @@ bool WorkingBlock::event(QEvent *event) {
 
 void WorkingBlock::keyPressEvent(QKeyEvent *event) {
   if (event->matches(QKeySequence::Copy))
-    return copyLatex(m_lines, m_cursor.line());
+    return copyLines(m_lines.told(), m_cursor.line(), DocumentFormat::Latex);
   if (m_coordinates.useKey(event->key()) || m_cursor.useKey(event->key()))
     return;
   const bool letsGo = event->key() == Qt::Key_Escape;

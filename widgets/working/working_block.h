@@ -35,8 +35,8 @@ public:
   [[nodiscard]] ShownNumbers shownNumbers() const { return m_layout.numbers(); }
   /// What is shown and where.
   [[nodiscard]] const PlacedWorking &placed() const { return m_layout.placed(); }
-  /// The lines as LaTeX, one below the other.
-  [[nodiscard]] QString latexOfAll() const { return m_lines.latex(); }
+  /// The lines as they may be taken elsewhere, until others are shown.
+  [[nodiscard]] std::vector<ToldLine> toldLines() const { return m_lines.told(); }
   /// What a screen reader is told when it asks: the lines, one below the other; the number that the keys have
   /// chosen, if they have.
   [[nodiscard]] QString spoken() const;

@@ -1,6 +1,7 @@
 // The worked lines of a step in two blocks: who shows which, what goes on in one and is seen in the other.
 #include "widgets/working/step_working.h"
 
+#include "tests/widgets/working/told_latex.h"
 #include "tests/widgets/working/working_block_fixture.h"
 
 #include <QLabel>
@@ -100,6 +101,17 @@ private slots:
     QVERIFY(shown.second().isVisible());
   }
 
+  void linesToTakeElsewhere_areThoseOfAllBlocksButHiddenOnes() {
+    ShownBlocks shown(tracedWorking());
+    QCOMPARE(shown.lines.toldLines().size(), std::size_t(3));
+    QCOMPARE(shown.lines.toldLines()[1].line->id, std::string("a"));
+    shown.second().hide();
+    QCOMPARE(shown.lines.toldLines().size(), std::size_t(1));
+    shown.second().show();
+    shown.lines.setWorking(tracedWorking(), {0, 0});
+    QVERIFY(shown.lines.toldLines().empty());
+  }
+
   void numberClickedInOneBlock_lightsUpItsSourcesInTheOther() {
     ShownBlocks shown(tracedWorking());
     shown.layOut();
@@ -182,7 +194,7 @@ private slots:
     shown.lines.setWorking(tracedWorking(), {1, 2}, withheld(tracedWorking()));
     QVERIFY(shown.first().shownNumbers().inLine(0).empty());
     QVERIFY(shown.second().shownNumbers().inLine(0).empty());
-    QCOMPARE(shown.second().latexOfAll().count('='), 2);
+    QCOMPARE(latexIn(shown.second()).count('='), 2);
     QVERIFY(!shown.second().spoken().contains("10"));
     QVERIFY(shown.first().spoken().endsWith("= ?")); // of u·u alone nobody would know
     QVERIFY(!shown.second().spoken().contains("?"));

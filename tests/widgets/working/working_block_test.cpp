@@ -1,4 +1,5 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
+#include "tests/widgets/working/told_latex.h"
 #include "tests/widgets/working/working_block_fixture.h"
 
 #include "lessons/lesson/new_numbers/new_numbers.h"
@@ -146,7 +147,7 @@ private slots:
     const QString firstLine = block.spoken().split('\n').front();
     QVERIFY(!firstLine.contains("30"));
     QVERIFY(!firstLine.contains("So many steps"));
-    QVERIFY(!block.latexOfAll().split('\n').front().contains("30"));
+    QVERIFY(!latexIn(block).split('\n').front().contains("30"));
     block.setWorking(someWorking());
     QVERIFY(block.spoken().split('\n').front().contains("30"));
   }
@@ -193,7 +194,7 @@ private slots:
     for (std::size_t own = 0; own < 2; ++own) {
       block.setWorking(working, {}, {}, {own, own + 1});
       QCOMPARE(block.placed().lines.size(), std::size_t(1));
-      QCOMPARE(block.latexOfAll(), QString::fromStdString(latexOf(working.lines[own])));
+      QCOMPARE(latexIn(block), QString::fromStdString(latexOf(working.lines[own])));
       QVERIFY(!block.spoken().contains('\n'));
     }
     block.setWorking({{working.lines[0]}}, {}, {}, {0, 2}); // a line is gone
@@ -245,6 +246,16 @@ private slots:
     QVERIFY(copied.startsWith("t = \\frac{(P_0 - Q)"));
     QVERIFY(copied.endsWith("= -\\frac{10}{3}"));
     QVERIFY(!copied.contains("\\mark"));
+  }
+
+  void copyingWithoutAClickedLineGivesAllWithTheirSentences() {
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    QTest::keyClick(&block, Qt::Key_C, Qt::ControlModifier);
+    const QString copied = QApplication::clipboard()->text();
+    QVERIFY(copied.startsWith("\\begin{align*}\n  t &= "));
+    QVERIFY(copied.contains("\\intertext{So many steps r lead from Q to the plane.}\n  H &= "));
+    QVERIFY(copied.endsWith("\\end{align*}\nThe point where the ray meets the plane.\n"));
   }
 
   void shownLinesAreThoseGivenLastAtOnce() {

@@ -1,6 +1,7 @@
 // Worked lines that the learner fills in, with real keys and clicks.
 #include "tests/lessons/called_line.h"
 #include "tests/lessons/spoken_to_in.h"
+#include "tests/widgets/working/told_latex.h"
 #include "widgets/working/working_practice.h"
 
 #include "lessons/object/object.h"
@@ -127,7 +128,7 @@ private slots:
     QVERIFY(!practice.line(1).blank.isNull());
     QVERIFY(practice.line(2).blank.isNull());                   // it asks for nothing …
     QCOMPARE(practice.line(2).formulas.size(), std::size_t(1)); // … but waits with its numbers
-    QVERIFY(!practice.block().latexOfAll().contains("10"));
+    QVERIFY(!latexIn(practice.block()).contains("10"));
     QVERIFY(text(practice.line(1).sentence).isEmpty());
   }
 
@@ -144,7 +145,7 @@ private slots:
     QVERIFY(practice.fields().isEmpty());
     QCOMPARE(text(practice.line(1).remark), QString("Right."));
     QCOMPARE(text(practice.line(1).sentence), QString("Divided by the length."));
-    QVERIFY(practice.block().latexOfAll().contains("= 10"));
+    QVERIFY(latexIn(practice.block()).contains("= 10"));
   }
 
   void practisingIsOfferedOnlyWhereANumberIsWorkedOut() {
@@ -413,7 +414,7 @@ private slots:
     practice.setWorking(someWorking(), true);
     QVERIFY(practice.fields().isEmpty());
     QVERIFY(!practice.tools.hasBlanks());
-    QVERIFY(!practice.block().latexOfAll().contains("30"));
+    QVERIFY(!latexIn(practice.block()).contains("30"));
     QVERIFY(!practice.chooser().isEnabled());
     QVERIFY(!practice.newNumbers().isEnabled());
   }
