@@ -96,6 +96,16 @@ TEST_F(Drawn, OfTwoLines_TheNearerLiesOverTheOther) {
   EXPECT_EQ(order(), (Marks{"far", "near"}));
 }
 
+TEST_F(Drawn, ALineThatIsSeenFromItsEnd_HasNoPath) {
+  view.camera.elevation = 0;
+  view.camera.orthographic = true;
+  content.figure.add(withId(wallAt(0), "wall"));
+  LineMark line = withId(LineMark{}, "line");
+  line.direction = {1, 0, 0};
+  content.figure.add(line);
+  EXPECT_EQ(order(), (Marks{"wall", "wall"})) << "its dashes would have no direction";
+}
+
 TEST_F(Drawn, APoint_LiesOverTheLinesThatEndInIt) {
   content.figure.add(withId(pointAt({0, 0, 0}), "point"));
   content.figure.add(withId(segmentBetween({0, 0, 0}, {3, 1, 0}), "near"));

@@ -1,5 +1,6 @@
 #include "widgets/exports/drawn_lines.h"
 
+#include "widgets/exports/page_number.h"
 #include "widgets/picture/screen_shapes.h"
 
 #include <glm/common.hpp>
@@ -162,9 +163,11 @@ std::vector<PaintedThing> piecesOf(const DrawnLine &line, const LineRoom &room) 
   std::vector<PaintedThing> things;
   if (line.path.size() < 2)
     return things;
-  for (Run &run : runsOf(line, room))
-    if (!run.veils.isHidden() || room.hidden != HiddenLines::LeftOut)
+  for (Run &run : runsOf(line, room)) {
+    const bool isLeftOut = run.veils.isHidden() && room.hidden == HiddenLines::LeftOut;
+    if (!isLeftOut && run.length() > leastWritten)
       things.push_back(thingOf(line, std::move(run), room));
+  }
   return things;
 }
 

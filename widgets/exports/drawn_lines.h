@@ -27,7 +27,7 @@ struct LineRoom {
 };
 
 /// The pieces of a line, each to be painted at one time. A closed line and one with corners stay in one piece
-/// where they can.
+/// where they can. A line that is seen from its end has none.
 [[nodiscard]] std::vector<PaintedThing> piecesOf(const DrawnLine &line, const LineRoom &room);
 
 /// How long a straight piece is on the page, as far as it is seen.

@@ -6,19 +6,18 @@
 namespace halfspace {
 namespace {
 
-constexpr long long perPoint = 100;
 /// No page is larger; what is beyond it is not seen.
 constexpr double farthest = 1e6;
 
 } // namespace
 
 std::string pageNumber(double value) {
-  const long long parts = std::llround(std::clamp(value, -farthest, farthest) * perPoint);
+  const long long parts = std::llround(std::clamp(value, -farthest, farthest) * writtenPerPoint);
   const long long size = std::abs(parts);
-  std::string text = (parts < 0 ? "-" : "") + std::to_string(size / perPoint);
-  if (size % perPoint != 0) {
+  std::string text = (parts < 0 ? "-" : "") + std::to_string(size / writtenPerPoint);
+  if (size % writtenPerPoint != 0) {
     text += '.';
-    text += static_cast<char>('0' + size % perPoint / 10);
+    text += static_cast<char>('0' + size % writtenPerPoint / 10);
     if (size % 10 != 0)
       text += static_cast<char>('0' + size % 10);
   }

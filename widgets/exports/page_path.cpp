@@ -1,5 +1,7 @@
 #include "widgets/exports/page_path.h"
 
+#include "widgets/exports/page_number.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -16,8 +18,8 @@ namespace {
 /// Pieces of a curve turn by less than this from one to the next (its cosine): 20 degrees.
 constexpr double leastCurveCosine = 0.94;
 
-/// Numbers are written with two decimals.
-constexpr double oneSpot = 0.01;
+/// Spots nearer to each other than this are one.
+constexpr double oneSpot = leastWritten;
 
 /// What turns by less than this (its sine) goes straight on.
 constexpr double straightSine = 1e-3;
@@ -34,7 +36,6 @@ bool turnsLikeACurve(glm::dvec2 in, glm::dvec2 out) {
   return glm::dot(in, out) > leastCurveCosine * glm::length(in) * glm::length(out);
 }
 
-/// Spots nearer to each other than can be written are one.
 std::vector<glm::dvec2> withoutRepeats(const std::vector<glm::dvec2> &spots) {
   std::vector<glm::dvec2> kept;
   for (const glm::dvec2 &spot : spots)
