@@ -132,8 +132,9 @@ TEST(HiddenLines, InSeededScenes_AreHiddenWhereAnExactRayFromTheEyeIsStopped) {
         if (isOffPage || segment.from == segment.to || std::max(toHidden, toSeen) < undecided)
           continue;
         EXPECT_LT(std::min(toHidden, toSeen), rounding) << segment.id << " is drawn in full";
-        EXPECT_EQ(toHidden<toSeen, triangleCountBefore(place, scene)> 0) << segment.id << " at " << i;
-        ++(toHidden < toSeen ? hiddenSamples : seenSamples);
+        const bool isHidden = toHidden < toSeen;
+        EXPECT_EQ(isHidden, triangleCountBefore(place, scene) != 0) << segment.id << " at " << i;
+        ++(isHidden ? hiddenSamples : seenSamples);
       }
     }
   }
