@@ -162,7 +162,7 @@ std::string svgOf(const Drawing &drawing, const math::MathFonts &fonts, SvgText 
   std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
                     attribute("width", width + "pt") + attribute("height", height + "pt") +
                     attribute("viewBox", "0 0 " + width + " " + height) + attribute("role", "img") +
-                    attribute("aria-label", drawing.title + ". " + drawing.description) + ">\n<title>" +
+                    attribute("aria-label", drawing.title + " – " + drawing.description) + ">\n<title>" +
                     escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n";
   if (drawing.ground)
     svg += pathElement(rectanglePath({0, 0, drawing.size.x, drawing.size.y}),
