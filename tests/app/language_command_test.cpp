@@ -12,7 +12,8 @@ const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NA
                         "new",       "constructions", "check",  "explain",   "render",    "eval",
                         "text",      "latex",         "json",   "light",     "dark",      "print",
                         "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere",   "LENGTH",
-                        "dashed",    "paler",         "left",   "out",       "width",     "hidden"};
+                        "dashed",    "paler",         "left",   "out",       "width",     "hidden",
+                        "mathml"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
