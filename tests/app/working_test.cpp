@@ -73,6 +73,7 @@ private slots:
   void workingOfTheStep_copiedFromTheEditMenu_isInTheChosenFormat() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
+    QTRY_VERIFY(!fixture.practice().working().toldLines().empty()); // once the blocks have their place
     const QString beginnings[] = {"\\begin{align*}\n", "<p><math ", "f(Q) = "};
     for (int i = 0; i < 3; ++i) {
       fixture.copyMenu().actions().at(i)->trigger();
@@ -89,6 +90,7 @@ private slots:
     const auto asks = std::find_if(steps.begin(), steps.end(), predictionOf);
     QVERIFY(asks != steps.end());
     fixture.model().setStep(static_cast<int>(asks - steps.begin()));
+    QTest::qWait(1); // what stood on the page before is gone
     fixture.copyMenu().actions().at(2)->trigger();
     for (const ToldLine &told : fixture.practice().working().toldLines())
       QVERIFY(!told.isWhole);
