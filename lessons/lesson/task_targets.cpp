@@ -213,13 +213,16 @@ std::vector<SnapTarget> targetsOf(const Task &task, const std::shared_ptr<const 
   for (const Condition &condition : task.conditions) {
     if (!asksForANumber(condition))
       continue;
-    if (const auto flats = placesOf(condition, *tried, start); !flats.empty())
+    const std::vector<Flat> flats = placesOf(condition, *tried, start);
+    bool isMet = !flats.empty();
+    if (isMet) {
       places = intersections(places, flats);
-    else if (surface)
-      continue;
-    else if (surface = surfaceOf(condition, *tried, start); !surface)
-      continue;
-    met.push_back(condition);
+    } else if (!surface) { // a target has one
+      surface = surfaceOf(condition, *tried, start);
+      isMet = surface.has_value();
+    }
+    if (isMet)
+      met.push_back(condition);
   }
   std::vector<SnapTarget> targets;
   if (met.empty())
