@@ -2,7 +2,6 @@
 
 #include "widgets/exports/page_number.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -170,27 +169,6 @@ std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> spots) {
   goAround(spots.begin(), spots.end());
   goAround(spots.rbegin(), spots.rend());
   return hull;
-}
-
-std::vector<glm::dvec2> clippedTo(glm::dvec2 low, glm::dvec2 high, std::vector<glm::dvec2> corners) {
-  for (const int axis : {0, 1})
-    for (const bool isLow : {true, false}) {
-      const auto side = [&](glm::dvec2 spot) {
-        return isLow ? spot[axis] - low[axis] : high[axis] - spot[axis];
-      };
-      std::vector<glm::dvec2> kept;
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec2 next = corners[(i + 1) % corners.size()];
-        const double here = side(corners[i]);
-        const double there = side(next);
-        if (here >= 0)
-          kept.push_back(corners[i]);
-        if ((here < 0) != (there < 0))
-          kept.push_back(glm::mix(corners[i], next, here / (here - there)));
-      }
-      corners = std::move(kept);
-    }
-  return corners;
 }
 
 double turningArea(const std::vector<glm::dvec2> &corners) {

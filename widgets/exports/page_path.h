@@ -45,10 +45,6 @@ struct PagePath {
 /// where they lie along one line.
 [[nodiscard]] std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> spots);
 
-/// The part of a convex polygon in an upright rectangle between two corners of that.
-[[nodiscard]] std::vector<glm::dvec2> clippedTo(glm::dvec2 low, glm::dvec2 high,
-                                                std::vector<glm::dvec2> corners);
-
 /// Twice the area of a polygon; negative where it turns the other way than the axes of the page from x to y.
 [[nodiscard]] double turningArea(const std::vector<glm::dvec2> &corners);
 

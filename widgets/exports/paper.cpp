@@ -1,13 +1,18 @@
 #include "widgets/exports/paper.h"
 
-#include <glm/common.hpp>
+#include "geometry/clip.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 
 namespace halfspace {
+namespace {
 
-double Paper::Border::side(const Place &place) const { return glm::dot(normal, place) + offset; }
+/// What is seen beside the page is drawn so far, in parts of its width and height: pens are thick.
+constexpr double marginBesidePage = 0.1;
+
+} // namespace
 
 Paper::Paper(const ShapeList &list, double width)
     : m_camera(list.view.camera), m_eye(list.view.camera.eye()), m_along(list.view.camera.viewDirection()),
@@ -20,16 +25,12 @@ Paper::Paper(const ShapeList &list, double width)
 }
 
 void Paper::setBorders(const View &view, double nearest) {
-  m_borders.push_back({m_along, -glm::dot(m_along, m_eye) - nearest});
+  m_borders.push_back(planeThrough(m_eye + m_along * nearest, m_along));
   const glm::dvec2 half = m_size / m_pointsPerUnit * (0.5 + marginBesidePage);
   const auto addSides = [&](const Place &across, double reach) {
     for (const Place &inward : {across, -across})
-      if (m_isOrthographic) {
-        m_borders.push_back({inward, reach - glm::dot(inward, view.camera.target)});
-      } else {
-        const Place normal = inward * m_distance + m_along * reach;
-        m_borders.push_back({normal, -glm::dot(normal, m_eye)});
-      }
+      m_borders.push_back(m_isOrthographic ? planeThrough(view.camera.target - inward * reach, inward)
+                                           : planeThrough(m_eye, inward * m_distance + m_along * reach));
   };
   addSides(m_right, half.x);
   addSides(m_down, half.y);
@@ -39,9 +40,8 @@ double Paper::depthOf(const Place &place) const { return glm::dot(place - m_eye,
 
 Spot Paper::spotOf(const Place &place) const {
   const Place sight = place - m_eye;
-  const double depth = glm::dot(sight, m_along);
-  const double scale = m_pointsPerUnit * (m_isOrthographic ? 1 : m_distance / depth);
-  return {m_size / 2.0 + glm::dvec2(glm::dot(sight, m_right), glm::dot(sight, m_down)) * scale, depth};
+  const glm::dvec2 onPage(glm::dot(sight, m_right), glm::dot(sight, m_down));
+  return {m_size / 2.0 + onPage * pointsPerUnitAt(place), depthOf(place)};
 }
 
 double Paper::pointsPerUnitAt(const Place &place) const {
@@ -50,7 +50,7 @@ double Paper::pointsPerUnitAt(const Place &place) const {
 
 bool Paper::isSeen(const Place &place) const {
   return std::all_of(m_borders.begin(), m_borders.end(),
-                     [&](const Border &border) { return border.side(place) >= 0; });
+                     [&](const Plane<double> &border) { return evaluate(border, place) >= 0; });
 }
 
 Place Paper::sightTo(const Place &place) const {
@@ -67,9 +67,9 @@ Silhouette Paper::silhouetteOf(const Globe &ball) const {
 std::optional<std::pair<double, double>> Paper::seenPart(const Place &from, const Place &to) const {
   double begin = 0;
   double end = 1;
-  for (const Border &border : m_borders) {
-    const double first = border.side(from);
-    const double last = border.side(to);
+  for (const Plane<double> &border : m_borders) {
+    const double first = evaluate(border, from);
+    const double last = evaluate(border, to);
     if (first < 0 && last < 0)
       return {};
     if (first < 0)
@@ -81,20 +81,8 @@ std::optional<std::pair<double, double>> Paper::seenPart(const Place &from, cons
 }
 
 std::vector<Place> Paper::seenPart(std::vector<Place> corners) const {
-  for (const Border &border : m_borders) {
-    std::vector<Place> kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Place &corner = corners[i];
-      const Place &next = corners[(i + 1) % corners.size()];
-      const double side = border.side(corner);
-      const double nextSide = border.side(next);
-      if (side >= 0)
-        kept.push_back(corner);
-      if ((side < 0) != (nextSide < 0))
-        kept.push_back(glm::mix(corner, next, side / (side - nextSide)));
-    }
-    corners = std::move(kept);
-  }
+  for (const Plane<double> &border : m_borders)
+    corners = clipPolygon<double>(corners, border);
   return corners;
 }
 

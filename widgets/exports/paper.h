@@ -1,6 +1,7 @@
 // A view of the stage on a page: where places are seen, in points.
 #pragma once
 
+#include "geometry/plane.h"
 #include "widgets/picture/shapes/shape_list.h"
 #include "widgets/picture/shapes/silhouette.h"
 
@@ -14,9 +15,6 @@ struct Spot {
   glm::dvec2 at{};  ///< in points
   double depth = 0; ///< along the view, from the eye
 };
-
-/// What is seen beside the page is drawn so far, in parts of its width and height: pens are thick.
-inline constexpr double marginBesidePage = 0.1;
 
 /// Projects as the camera does (Camera::project), in points instead of pixels.
 class Paper {
@@ -41,7 +39,7 @@ public:
   [[nodiscard]] double pointsPerUnitAt(const Place &place) const;
   /// Whether a place lies before the eye, and on the page or not far beside it.
   [[nodiscard]] bool isSeen(const Place &place) const;
-  /// From the eye towards a place (not unit); in an orthographic view, to it from far away before the eye.
+  /// From the eye to a place (not unit); in an orthographic view, from beside the eye, straight to it.
   [[nodiscard]] Place sightTo(const Place &place) const;
   [[nodiscard]] Place sightFrom(const Place &place) const { return place - sightTo(place); }
   /// The circle in which sights touch a ball that the eye is outside of.
@@ -50,16 +48,10 @@ public:
   /// The part of a segment that is seen, as parts of its way: it lies before the eye, and on the page or not
   /// far beside it.
   [[nodiscard]] std::optional<std::pair<double, double>> seenPart(const Place &from, const Place &to) const;
-  /// The part of a convex polygon that is seen; empty: nothing is.
+  /// The part of a convex polygon that is seen; fewer than three corners: nothing is.
   [[nodiscard]] std::vector<Place> seenPart(std::vector<Place> corners) const;
 
 private:
-  /// A plane with what is seen on its positive side: through the origin of the sights, or square to the view.
-  struct Border {
-    Place normal{};
-    double offset = 0;
-    [[nodiscard]] double side(const Place &place) const;
-  };
   void setBorders(const View &view, double nearest);
 
   Camera m_camera;
@@ -73,7 +65,7 @@ private:
   double m_designPoint;
   double m_pointsPerUnit;
   glm::dvec2 m_size;
-  std::vector<Border> m_borders;
+  std::vector<Plane<double>> m_borders; ///< what is seen lies on their positive sides
 };
 
 } // namespace halfspace

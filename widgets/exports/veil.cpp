@@ -87,15 +87,14 @@ void addRoots(double a, double b, double c, std::vector<double> &roots) {
 /// Around what is seen of a ball on the page, or not far beside it.
 std::vector<glm::dvec2> silhouetteCorners(const Globe &ball, const Paper &paper) {
   const Silhouette circle = paper.silhouetteOf(ball);
-  const glm::dvec2 margin = paper.size() * marginBesidePage;
   const double widths = 2 * ball.radius * paper.pointsPerUnitAt(circle.center) / paper.size().x;
   const int count = static_cast<int>(fewCorners * std::clamp(std::ceil(widths), 1.0, mostTimesMore));
   std::vector<glm::dvec2> corners;
-  for (const Place &corner : circleAround(circle.center, circle.axis, circle.radius, count))
+  for (const Place &corner : paper.seenPart(circleAround(circle.center, circle.axis, circle.radius, count)))
     corners.push_back(paper.spotOf(corner).at);
   if (turningArea(corners) < 0)
     std::reverse(corners.begin(), corners.end());
-  return clippedTo(-margin, paper.size() + margin, std::move(corners));
+  return corners;
 }
 
 /// Where a sight enters and leaves a ball, in its own lengths: it is at the place at 1.
