@@ -18,7 +18,7 @@ public:
   FaceVeils(const std::vector<Shape> &faces, const Paper &paper) : m_paper(paper), m_veils(paper) {
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (const auto *face = std::get_if<FaceShape>(&faces[i].form); face && face->globe)
-        m_pieces[faces[i].mark].push_back(i);
+        addPiece(i, faces[i].mark, *face->globe);
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (const auto *face = std::get_if<FaceShape>(&faces[i].form))
         face->globe ? addGlobe(i, faces[i], *face) : addFlat(faces[i], *face);
@@ -28,6 +28,15 @@ public:
   [[nodiscard]] const std::vector<VeilLook> &looks() const { return m_looks; }
 
 private:
+  /// A ball among the faces: where the first and the last of its pieces come, and its halves; without them
+  /// the pieces are veils themselves.
+  struct Ball {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::optional<BallVeil> far{};
+    std::optional<BallVeil> near{};
+  };
+
   void add(Veil veil, const Shape &shape, const FaceShape &face) {
     m_veils.add(std::move(veil));
     m_looks.push_back({shape.mark, {shape.color, face.opacity}});
@@ -41,26 +50,32 @@ private:
       add(std::move(*veil), shape, face);
   }
 
+  void addPiece(std::size_t number, const std::string &mark, const Globe &globe) {
+    const auto [known, isNew] = m_balls.try_emplace(mark);
+    if (isNew)
+      known->second = {number, number, BallVeil::of(globe, BallVeil::Half::Far, m_paper),
+                       BallVeil::of(globe, BallVeil::Half::Near, m_paper)};
+    known->second.last = number;
+  }
+
   /// The far half of a ball comes where the first of its pieces does, the near one where the last does.
   void addGlobe(std::size_t number, const Shape &shape, const FaceShape &face) {
-    const std::vector<std::size_t> &pieces = m_pieces.at(shape.mark);
-    for (const auto &[half, piece] :
-         {std::pair(BallVeil::Half::Far, pieces.front()), {BallVeil::Half::Near, pieces.back()}}) {
-      auto veil = BallVeil::of(*face.globe, half, m_paper);
-      if (!veil) // the eye is in it
-        return addFlat(shape, face);
-      if (piece == number)
-        add(std::move(*veil), shape, face);
-    }
+    const Ball &ball = m_balls.at(shape.mark);
+    if (!ball.far || !ball.near)
+      return addFlat(shape, face);
+    if (number == ball.first)
+      add(*ball.far, shape, face);
+    if (number == ball.last)
+      add(*ball.near, shape, face);
   }
 
   const Paper &m_paper;
   Veils m_veils;
   std::vector<VeilLook> m_looks;
-  std::map<std::string, std::vector<std::size_t>> m_pieces; ///< of balls, by their marks
+  std::map<std::string, Ball> m_balls; ///< by their marks
 };
 
-template <class Part> void append(std::vector<DrawingPart> &parts, std::vector<Part> more) {
+template <class Part, class More> void append(std::vector<Part> &parts, std::vector<More> more) {
   std::move(more.begin(), more.end(), std::back_inserter(parts));
 }
 
@@ -68,8 +83,7 @@ std::vector<PathPart> spaceParts(const ShapeList &list, const Paper &paper, Hidd
   const FaceVeils faces(facesWithBodies(list, paper), paper);
   const LineRoom room{paper, faces.veils(), hidden};
   std::vector<PaintedThing> things = thingsOf(*list.layer(Layer::Axes), room);
-  std::vector<PaintedThing> solids = thingsOf(*list.layer(Layer::Solids), room);
-  std::move(solids.begin(), solids.end(), std::back_inserter(things));
+  append(things, thingsOf(*list.layer(Layer::Solids), room));
   return inPaintingOrder(faces.veils(), faces.looks(), std::move(things));
 }
 
