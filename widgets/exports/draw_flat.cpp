@@ -18,7 +18,7 @@ PathPart partOf(const FlatShape &shape, double scale) {
   std::transform(shape.path.begin(), shape.path.end(), std::back_inserter(spots),
                  [&](glm::dvec2 pixel) { return pixel * scale; });
   PathPart part;
-  if (shape.isDisc) {
+  if (shape.isDisc) { // it was made as much thinner as lines are
     part.path = circlePath(spots.front(), shape.width / 2 * scale * (discPerBall / penPerTube));
     part.fill = Fill{shape.color, shape.opacity};
   } else if (shape.width == 0) {

@@ -12,6 +12,8 @@ namespace {
 constexpr double partsOfEm = 1000;
 /// Symbolic: no alphabet that readers know.
 constexpr const char *symbolic = "4";
+/// How thick stems are, as the format asks: who has the font itself does not look at it.
+constexpr const char *stemWidth = "80";
 
 std::string inParts(double em) { return std::to_string(std::lround(em * partsOfEm)); }
 
@@ -83,8 +85,8 @@ std::string descriptorOf(const FontSubset &subset, const math::FontFace &face, c
   }
   return "<</Type/FontDescriptor/FontName/" + name + "/Flags " + symbolic + "/FontBBox[" + inParts(left) +
          " " + inParts(-depth) + " " + inParts(right) + " " + inParts(height) + "]/ItalicAngle 0/Ascent " +
-         inParts(height) + "/Descent " + inParts(-depth) + "/CapHeight " + inParts(height) + "/StemV 80" +
-         program + ">>";
+         inParts(height) + "/Descent " + inParts(-depth) + "/CapHeight " + inParts(height) + "/StemV " +
+         stemWidth + program + ">>";
 }
 
 } // namespace

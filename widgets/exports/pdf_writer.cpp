@@ -10,7 +10,7 @@
 namespace halfspace {
 namespace {
 
-/// Colours are told to so many decimals, as all numbers are: finer than 8 bits of a channel would be.
+/// Channels of colours are told in these parts, which are finer than their 8 bits.
 constexpr double channelParts = 1000;
 
 std::string channelText(int channel) {
@@ -143,8 +143,10 @@ private:
         ink = next;
       }
       std::string next = PdfFonts::nameOf(glyph.font) + " " + pageNumber(glyph.size * part.size) + " Tf\n";
-      if (next != font)
-        m_text += font = std::move(next);
+      if (next != font) {
+        m_text += next;
+        font = std::move(next);
+      }
       m_text +=
           "1 0 0 1 " + pageNumbers(upward(originOf(glyph, part))) + " Tm" + m_fonts.codeOf(glyph) + "Tj\n";
     }
