@@ -1,6 +1,7 @@
 #include "widgets/exports/page_path.h"
 
 #include "widgets/exports/page_number.h"
+#include "widgets/exports/page_polygon.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "widgets/exports/ground_parts.h"
 
+#include "widgets/exports/page_polygon.h"
 #include "widgets/exports/paper_look.h"
 #include "widgets/picture/shapes/mesh.h"
 

@@ -1,15 +1,14 @@
 #include "widgets/exports/page_path.h"
 
 #include "widgets/exports/page_number.h"
+#include "widgets/exports/page_polygon.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 namespace halfspace {
 namespace {
@@ -28,8 +27,6 @@ constexpr double mostTurnedCosine = 0.927;
 
 /// The control points of a quarter of a circle, in radii.
 const double quarterControl = 4.0 / 3 * (std::numbers::sqrt2 - 1);
-
-double crossOf(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 bool turnsLikeACurve(glm::dvec2 in, glm::dvec2 out) {
   return glm::dot(in, out) > leastCurveCosine * glm::length(in) * glm::length(out);
@@ -148,34 +145,6 @@ PagePath circlePath(glm::dvec2 center, double radius) {
   }
   path.close();
   return path;
-}
-
-std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> spots) {
-  std::sort(spots.begin(), spots.end(),
-            [](glm::dvec2 a, glm::dvec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-  std::vector<glm::dvec2> hull;
-  const auto goAround = [&](auto first, auto last) {
-    const std::size_t begin = hull.size();
-    for (auto spot = first; spot != last; ++spot) {
-      while (hull.size() >= begin + 2 &&
-             crossOf(hull.back() - hull[hull.size() - 2], *spot - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*spot);
-    }
-    hull.pop_back(); // where the other side begins
-  };
-  if (spots.size() < 3)
-    return spots;
-  goAround(spots.begin(), spots.end());
-  goAround(spots.rbegin(), spots.rend());
-  return hull;
-}
-
-double turningArea(const std::vector<glm::dvec2> &corners) {
-  double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += crossOf(corners[i], corners[(i + 1) % corners.size()]);
-  return area;
 }
 
 } // namespace halfspace

@@ -41,11 +41,4 @@ struct PagePath {
 /// A circle.
 [[nodiscard]] PagePath circlePath(glm::dvec2 center, double radius);
 
-/// The polygon around all spots, turning like the axes of the page from x to y; fewer than three corners
-/// where they lie along one line.
-[[nodiscard]] std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> spots);
-
-/// Twice the area of a polygon; negative where it turns the other way than the axes of the page from x to y.
-[[nodiscard]] double turningArea(const std::vector<glm::dvec2> &corners);
-
 } // namespace halfspace

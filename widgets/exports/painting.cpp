@@ -1,5 +1,8 @@
 #include "widgets/exports/painting.h"
 
+#include "widgets/exports/page_polygon.h"
+#include "widgets/picture/screen_shapes.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -21,19 +24,12 @@ constexpr double rim = 0.3;
 /// Depths that differ by less than this part are one.
 constexpr double sameDepth = 1e-7;
 
-struct Box {
-  glm::dvec2 low{};
-  glm::dvec2 high{};
-};
-
-Box boxOf(const PaintedThing &thing) {
-  Box box{thing.spine.front().at, thing.spine.front().at};
-  for (const Spot &spot : thing.spine)
-    box = {glm::min(box.low, spot.at), glm::max(box.high, spot.at)};
-  return {box.low - thing.reach, box.high + thing.reach};
+PixelBox boxOf(const PaintedThing &thing) {
+  std::vector<glm::dvec2> spots;
+  std::transform(thing.spine.begin(), thing.spine.end(), std::back_inserter(spots),
+                 [](const Spot &spot) { return spot.at; });
+  return grown(boxAround(spots), thing.reach);
 }
-
-double crossOf(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 struct SpotPair {
   Spot one;
@@ -121,7 +117,7 @@ private:
   }
 
   void orderThings() {
-    std::vector<Box> boxes;
+    std::vector<PixelBox> boxes;
     for (const PaintedThing &thing : m_things)
       boxes.push_back(boxOf(thing));
     std::vector<std::size_t> fromLeft(m_things.size());
@@ -131,8 +127,7 @@ private:
     for (std::size_t i = 0; i < fromLeft.size(); ++i)
       for (std::size_t j = i + 1;
            j < fromLeft.size() && boxes[fromLeft[j]].low.x <= boxes[fromLeft[i]].high.x; ++j)
-        if (const Box &a = boxes[fromLeft[i]], &b = boxes[fromLeft[j]];
-            a.low.y <= b.high.y && b.low.y <= a.high.y)
+        if (meet(boxes[fromLeft[i]], boxes[fromLeft[j]]))
           orderTwo(std::min(fromLeft[i], fromLeft[j]), std::max(fromLeft[i], fromLeft[j]));
   }
 

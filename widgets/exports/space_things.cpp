@@ -1,5 +1,6 @@
 #include "widgets/exports/space_things.h"
 
+#include "widgets/exports/page_polygon.h"
 #include "widgets/picture/shapes/mesh.h"
 
 #include <glm/common.hpp>

@@ -1,5 +1,6 @@
 #include "widgets/exports/veil.h"
 
+#include "widgets/exports/page_polygon.h"
 #include "widgets/picture/shapes/mesh.h"
 #include "widgets/picture/shapes/silhouette.h"
 
@@ -32,19 +33,6 @@ constexpr double mostTimesMore = 64;
 constexpr double hair = 0.01;
 /// How often it is asked how lines stand to veils: for about a second.
 constexpr std::size_t mostAsked = 40'000'000;
-
-double crossOf(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-PixelBox boxAround(const std::vector<glm::dvec2> &spots) {
-  PixelBox box{spots.front(), spots.front()};
-  for (const glm::dvec2 &spot : spots)
-    box = {glm::min(box.low, spot), glm::max(box.high, spot)};
-  return box;
-}
-
-bool meet(const PixelBox &a, const PixelBox &b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
 
 /// Whether a line along one of the edges of a polygon has all of another one on its outer side.
 bool isParted(const std::vector<glm::dvec2> &corners, const std::vector<glm::dvec2> &others) {
