@@ -1,6 +1,7 @@
 #include "widgets/exports/body_faces.h"
 
 #include "geometry/triangle_mesh.h"
+#include "widgets/picture/shapes/light.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
 #include <glm/geometric.hpp>
@@ -17,15 +18,6 @@ constexpr std::size_t mostOrdered = 2000;
 /// No more triangles than this are drawn.
 constexpr std::size_t mostDrawn = 20000;
 
-/// Two lights that stand beside the eye: to the right of it, above it and behind it; and how bright they are.
-struct Light {
-  Place from{};
-  double strength;
-};
-constexpr std::array lights{Light{{-0.5, 0.9, 1.0}, 0.78}, Light{{0.8, -0.2, 0.9}, 0.30}};
-constexpr double ambientPart = 0.42;
-constexpr double diffusePart = 0.70;
-
 std::uint8_t shaded(std::uint8_t channel, double light) {
   return static_cast<std::uint8_t>(std::lround(std::min(255.0, channel * light)));
 }
@@ -39,7 +31,7 @@ Color shaded(Color color, const std::array<Place, 3> &corners, const Camera &cam
   if (glm::dot(normal, corners[0] - camera.eye()) > 0)
     normal = -normal;
   double light = ambientPart;
-  for (const Light &lamp : lights) {
+  for (const CameraLight &lamp : cameraLights) {
     const Place way =
         camera.right() * lamp.from.x + camera.up() * lamp.from.y - camera.viewDirection() * lamp.from.z;
     light += diffusePart * lamp.strength * std::max(0.0, glm::dot(normal, glm::normalize(way)));

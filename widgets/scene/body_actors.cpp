@@ -1,6 +1,7 @@
 #include "widgets/scene/body_actors.h"
 
 #include "geometry/triangle_mesh.h"
+#include "widgets/picture/shapes/light.h"
 #include "widgets/scene/depthless_mapper.h"
 #include "widgets/scene/vtk_mesh.h"
 
@@ -51,8 +52,8 @@ struct BodyActors::Body {
     shadow->SetUserMatrix(shadowPlacement);
     // Flat faces: a hit is in one of them.
     actor->GetProperty()->SetInterpolationToFlat();
-    actor->GetProperty()->SetAmbient(0.42);
-    actor->GetProperty()->SetDiffuse(0.70);
+    actor->GetProperty()->SetAmbient(ambientPart);
+    actor->GetProperty()->SetDiffuse(diffusePart);
     shadow->GetProperty()->LightingOff();
     shadow->ForceOpaqueOn();
   }

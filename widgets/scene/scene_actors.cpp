@@ -1,5 +1,6 @@
 #include "widgets/scene/scene_actors.h"
 
+#include "widgets/picture/shapes/light.h"
 #include "widgets/scene/depthless_mapper.h"
 
 #include <vtkActor.h>
@@ -28,12 +29,12 @@ void setColor(vtkActor *actor, Color color) {
   actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
 }
 
-void addCameraLight(vtkRenderer *renderer, double x, double y, double z, double intensity) {
+void addLight(vtkRenderer *renderer, const CameraLight &lamp) {
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
-  light->SetPosition(x, y, z);
+  light->SetPosition(lamp.from.x, lamp.from.y, lamp.from.z);
   light->SetFocalPoint(0, 0, 0);
-  light->SetIntensity(intensity);
+  light->SetIntensity(lamp.strength);
   renderer->AddLight(light);
 }
 
@@ -59,8 +60,8 @@ void usePlainPasses(vtkRenderer *renderer) {
 void useSolidMaterial(vtkActor *actor) {
   vtkProperty *material = actor->GetProperty();
   material->SetInterpolationToPhong();
-  material->SetAmbient(0.42);
-  material->SetDiffuse(0.70);
+  material->SetAmbient(ambientPart);
+  material->SetDiffuse(diffusePart);
   material->SetSpecular(0.18);
   material->SetSpecularPower(24);
 }
@@ -109,8 +110,8 @@ SceneActors::SceneActors()
     m_renderer->AddActor(actor);
 
   m_renderer->AutomaticLightCreationOff();
-  addCameraLight(m_renderer, -0.5, 0.9, 1.0, 0.78);
-  addCameraLight(m_renderer, 0.8, -0.2, 0.9, 0.30);
+  for (const CameraLight &lamp : cameraLights)
+    addLight(m_renderer, lamp);
   usePlainPasses(m_renderer);
 }
 
