@@ -29,7 +29,6 @@ struct Pen {
   double dashStart = 0; ///< how far into the rhythm the line begins
   Cap cap = Cap::Round;
   double opacity = 1;
-  bool operator==(const Pen &) const = default;
 };
 
 /// A path that is filled (by the nonzero rule), drawn with a pen, or both.
@@ -39,7 +38,6 @@ struct PathPart {
   std::optional<Pen> pen{};
   std::string mark{};    ///< the id of the mark that it is of; empty: of none
   bool isHidden = false; ///< something stands before it
-  bool operator==(const PathPart &) const = default;
 };
 
 /// A formula in its ink on its halo.
@@ -53,7 +51,6 @@ struct FormulaPart {
   Color halo; ///< reaches `haloWidth` around the strokes
   double opacity = 1;
   std::string mark{};
-  bool operator==(const FormulaPart &) const = default;
 };
 
 using DrawingPart = std::variant<PathPart, FormulaPart>;

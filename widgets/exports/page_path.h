@@ -15,12 +15,10 @@ struct PageStep {
   glm::dvec2 to{};     ///< but for Close, which goes back to the last Move
   glm::dvec2 first{};  ///< the control points of a cubic curve
   glm::dvec2 second{}; ///< likewise
-  bool operator==(const PageStep &) const = default;
 };
 
 struct PagePath {
   std::vector<PageStep> steps{};
-  bool operator==(const PagePath &) const = default;
 
   void moveTo(glm::dvec2 to) { steps.push_back({PageStep::Kind::Move, to}); }
   void lineTo(glm::dvec2 to) { steps.push_back({PageStep::Kind::Line, to}); }
