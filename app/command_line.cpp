@@ -2,6 +2,7 @@
 
 #include "app/completion.h"
 #include "app/manual_page.h"
+#include "app/paper_options.h"
 #include "app/parse_refusal.h"
 #include "lessons/guess.h"
 #include "lessons/words.h"
@@ -13,10 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
-#include <filesystem>
 #include <sstream>
 
 namespace halfspace {
@@ -87,10 +85,8 @@ std::optional<NumberedFile> parseNumberedFile(const std::string &file) {
 
 /// Whether a file's name promises a picture of pixels, or nothing.
 bool namesPng(const std::string &file) {
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return suffix.empty() || suffix == ".png";
+  const std::string ending = endingOf(file);
+  return ending.empty() || ending == ".png";
 }
 
 std::string themeNames(const std::string &separator) {
@@ -100,20 +96,11 @@ std::string themeNames(const std::string &separator) {
   return names;
 }
 
-/// PNG, SVG, PDF …
-std::string formatNames(const std::string &separator) {
-  std::string names = "PNG";
+/// PNG, SVG, PDF …, or .png, .svg, .pdf …: what pictures can be written as.
+std::string formats(std::string list, std::string ExportFormat::*part) {
   for (const ExportFormat &format : exportFormats())
-    names += separator + format.name;
-  return names;
-}
-
-/// .png, .svg, .pdf …
-std::string formatEndings(const std::string &separator) {
-  std::string endings = ".png";
-  for (const ExportFormat &format : exportFormats())
-    endings += separator + format.ending;
-  return endings;
+    list += ", " + format.*part;
+  return list;
 }
 
 /// Those of pictures that can be opened again.
@@ -123,33 +110,6 @@ std::string carrierEndings(const std::string &separator) {
     endings += (endings.empty() ? "" : separator) + carrier.ending;
   return endings;
 }
-
-/// A positive length in points: 8cm, 80mm or 226pt.
-std::optional<double> parseLength(std::string_view text) {
-  double value = 0;
-  const auto [unit, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !(value > 0))
-    return {};
-  const std::string_view rest = text.substr(static_cast<std::size_t>(unit - text.data()));
-  for (const auto &[name, points] :
-       {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerCentimetre / 10}, {"pt", 1.0}})
-    if (rest == name)
-      return value * points;
-  return {};
-}
-
-/// Smaller and larger pages and type are for nobody, in points.
-constexpr double leastWidth = pointsPerCentimetre;
-constexpr double mostWidth = 100 * pointsPerCentimetre;
-constexpr double leastType = 3;
-constexpr double mostType = 72;
-/// Labels of larger type, in parts of the width, find no place beside one another.
-constexpr double mostTypePerWidth = 0.1;
-
-/// How what is hidden may be drawn, by its word.
-constexpr std::array hiddenWords{std::pair("dashed", HiddenLines::Dashed),
-                                 std::pair("paler", HiddenLines::Paler),
-                                 std::pair("left-out", HiddenLines::LeftOut)};
 
 /// What CLI11 writes into while it parses.
 struct Arguments {
@@ -167,9 +127,7 @@ struct Arguments {
   int step = 0;
   std::string frame;
   std::string frames;
-  std::string width = "12cm";
-  std::string typeSize = "9pt";
-  std::string hidden = "dashed";
+  PaperOptions paper;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -225,9 +183,9 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
   render
-      ->add_option(
-          "-o,--output", command.output,
-          words("The file to write; its ending says how: {endings}", {{"endings", formatEndings(", ")}}))
+      ->add_option("-o,--output", command.output,
+                   words("The file to write; its ending says how: {endings}",
+                         {{"endings", formats(".png", &ExportFormat::ending)}}))
       ->type_name("FILE")
       ->required();
   render->add_option("--size", arguments.size, words("Its sides in pixels; of vectors, its shape"))
@@ -254,39 +212,8 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
                    words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
       ->type_name("A:B")
       ->excludes(frame);
-  render->add_option("--width", arguments.width, words("How wide a figure of vectors is, in cm, mm or pt"))
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  render->add_option("--text", arguments.typeSize, words("The size of its type"))
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  render
-      ->add_option("--hidden", arguments.hidden,
-                   words("How its lines are drawn where a face stands before them"))
-      ->type_name("dashed|paler|left-out")
-      ->capture_default_str();
+  addPaperOptions(*render, arguments.paper);
   return render;
-}
-
-/// What figures of vectors are asked to be; or a complaint.
-std::variant<PaperCommand, PrintCommand> paperOf(const Arguments &arguments) {
-  const auto width = parseLength(arguments.width);
-  if (!width || *width < leastWidth || *width > mostWidth)
-    return complaint(words("--width takes a length from 1cm to 100cm, as 8cm, 80mm or 227pt, not “{width}”.",
-                           {{"width", arguments.width}}));
-  const auto typeSize = parseLength(arguments.typeSize);
-  if (!typeSize || *typeSize < leastType || *typeSize > mostType)
-    return complaint(
-        words("--text takes a size of type from 3pt to 72pt, not “{size}”.", {{"size", arguments.typeSize}}));
-  if (*typeSize > *width * mostTypePerWidth)
-    return complaint(words("Type of {size} is too large for a figure {width} wide: at most a tenth of that.",
-                           {{"size", arguments.typeSize}, {"width", arguments.width}}));
-  const auto hidden = std::find_if(hiddenWords.begin(), hiddenWords.end(),
-                                   [&](const auto &word) { return arguments.hidden == word.first; });
-  if (hidden == hiddenWords.end())
-    return complaint(
-        words("--hidden takes dashed, paler or left-out, not “{hidden}”.", {{"hidden", arguments.hidden}}));
-  return PaperCommand{*width, *typeSize, hidden->second};
 }
 
 /// `render` is where the arguments come from.
@@ -301,16 +228,18 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   if (!namesPng(command.output) && !formatOfFile(command.output))
     return complaint(
         words("Figures are written as {formats}: let the name end in {endings}, not as “{file}” does.",
-              {{"formats", formatNames(", ")}, {"endings", formatEndings(", ")}, {"file", command.output}}));
+              {{"formats", formats("PNG", &ExportFormat::name)},
+               {"endings", formats(".png", &ExportFormat::ending)},
+               {"file", command.output}}));
   for (const char *option : {"--width", "--text", "--hidden"})
     if (render.count(option) > 0 && namesPng(command.output))
       return complaint(
           words("{option} is for figures of vectors: a PNG picture has the size that --size says.",
                 {{"option", option}}));
-  const auto paper = paperOf(arguments);
-  if (const auto *refusal = std::get_if<PrintCommand>(&paper))
-    return *refusal;
-  command.paper = std::get<PaperCommand>(paper);
+  const auto paper = paperOf(arguments.paper);
+  if (!paper)
+    return complaint(paper.problem().sentence);
+  command.paper = *paper;
   const Theme *theme = findTheme(arguments.theme);
   if (!theme)
     return complaint(words("There is no theme “{theme}”. The themes are {themes}.",

@@ -6,10 +6,15 @@
 
 namespace halfspace {
 
-const ExportFormat *formatOfFile(const std::string &file) {
+std::string endingOf(const std::string &file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+const ExportFormat *formatOfFile(const std::string &file) {
+  const std::string ending = endingOf(file);
   for (const ExportFormat &format : exportFormats())
     if (format.ending == ending)
       return &format;

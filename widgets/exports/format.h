@@ -18,6 +18,9 @@ struct ExportFormat {
 
 [[nodiscard]] const std::vector<ExportFormat> &exportFormats();
 
+/// How a file's name ends, with its dot, in small letters.
+[[nodiscard]] std::string endingOf(const std::string &file);
+
 /// That of a file, by how its name ends; null for none of them.
 [[nodiscard]] const ExportFormat *formatOfFile(const std::string &file);
 
