@@ -90,6 +90,22 @@ public:
   /// Draws one into a file.
   [[nodiscard]] virtual std::optional<Problem> write(const Evaluation &evaluation,
                                                      const std::string &file) = 0;
+
+protected:
+  explicit Pictures(Motif motif) : m_motif(std::move(motif)) {}
+  [[nodiscard]] const Motif &motif() const { return m_motif; }
+  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
+    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
+  }
+  /// A picture leaves out surfaces, or not. It is told once: of a flight many would.
+  void tellWhatIsLeftOut(bool leavesOutSurfaces) {
+    if (leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
+      printError(overfullWords());
+  }
+
+private:
+  Motif m_motif;
+  bool m_hasToldOfOverfull = false;
 };
 
 /// Pictures of pixels.
@@ -99,18 +115,15 @@ public:
     const auto picture = draw(evaluation);
     if (!picture)
       return picture.problem();
-    auto content = pngOf(*picture);
-    return content ? writeFile(file, fileContent(std::move(*content), m_motif)) : content.problem();
+    auto png = pngOf(*picture);
+    return png ? writeFile(file, fileContent(std::move(*png), motif())) : png.problem();
   }
 
 protected:
-  explicit PixelPictures(const Motif &motif) : m_motif(motif) {}
-  [[nodiscard]] const Motif &motif() const { return m_motif; }
+  using Pictures::Pictures;
 
 private:
   [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
-
-  Motif m_motif;
 };
 
 /// Flat pictures are each laid on their page by themselves.
@@ -126,7 +139,6 @@ Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluati
 class FlatPictures : public PixelPictures {
 public:
   explicit FlatPictures(const Motif &motif) : PixelPictures(motif) {}
-
   void begin(const Evaluation &) override {}
 
 private:
@@ -170,17 +182,12 @@ private:
     auto picture = m_painter.draw(request);
     if (!picture)
       return picture.problem();
-    if (picture->leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
-      printError(overfullWords());
+    tellWhatIsLeftOut(picture->leavesOutSurfaces);
     return RgbaImage(std::move(*picture));
-  }
-  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(motif().opened.lesson, motif().step, evaluation, motif().stage);
   }
 
   Camera m_camera;
   std::optional<SceneContent> m_beginning;
-  bool m_hasToldOfOverfull = false; ///< of a flight once
   Typesetter m_typesetter;
   OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
 };
@@ -188,35 +195,33 @@ private:
 /// Pictures of vectors, in a format.
 class VectorPictures : public Pictures {
 public:
-  VectorPictures(const Motif &motif, const ExportFormat &format) : m_motif(motif), m_format(format) {}
+  VectorPictures(const Motif &motif, const ExportFormat &format) : Pictures(motif), m_format(format) {}
 
   [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
     auto drawing = draw(evaluation);
     if (!drawing)
       return drawing.problem();
-    const auto &[command, opened, step, stage] = m_motif;
+    const auto &[command, opened, step, stage] = motif();
     drawing->title = opened.lesson ? opened.lesson->title : command.subject;
     drawing->description = shownIn(step ? *step : LessonStep(), evaluation).description;
-    return writeFile(file, fileContent(m_format.write(*drawing, m_typesetter.fonts()), m_motif));
+    return writeFile(file, fileContent(m_format.write(*drawing, m_typesetter.fonts()), motif()));
   }
 
 protected:
-  [[nodiscard]] const Motif &motif() const { return m_motif; }
   [[nodiscard]] LabelSetter setter() const { return labelSetter(m_typesetter.fonts()); }
   [[nodiscard]] PaperLook look() const {
-    const RenderCommand &command = m_motif.command;
+    const RenderCommand &command = motif().command;
     return {command.paper.width, command.paper.hidden, !command.transparent};
   }
   /// Still without its camera.
   [[nodiscard]] View view() const {
-    const RenderCommand &command = m_motif.command;
+    const RenderCommand &command = motif().command;
     return viewOnPaper(command.size, command.paper.width, command.paper.typeSize, command.theme);
   }
 
 private:
   [[nodiscard]] virtual Result<Drawing> draw(const Evaluation &evaluation) = 0;
 
-  Motif m_motif;
   const ExportFormat &m_format;
   Typesetter m_typesetter;
 };
@@ -259,16 +264,11 @@ private:
     }
     m_composer.setContent(content(evaluation));
     const ShapeList &shapes = m_composer.compose();
-    if (shapes.leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
-      printError(overfullWords());
+    tellWhatIsLeftOut(shapes.leavesOutSurfaces);
     return drawingOf(shapes, look());
-  }
-  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(motif().opened.lesson, motif().step, evaluation, motif().stage);
   }
 
   std::optional<SceneContent> m_beginning;
-  bool m_hasToldOfOverfull = false; ///< of a flight once
   Composer m_composer;
 };
 
