@@ -1,33 +1,20 @@
 #include "widgets/exports/svg_writer.h"
 
 #include "lessons/text.h"
+#include "lessons/xml_text.h"
 #include "widgets/exports/formula_outlines.h"
 #include "widgets/exports/page_number.h"
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
 
-/// What text must not hold as it is. Control characters have no place in XML at all.
-std::string escaped(const std::string &text) {
-  std::string safe;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      safe += "&amp;";
-      break;
-    case '<':
-      safe += "&lt;";
-      break;
-    case '>':
-      safe += "&gt;";
-      break;
-    case '"':
-      safe += "&quot;";
-      break;
-    default:
-      safe += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  return safe;
+/// Text as it stands in the file. Control characters have no place in XML at all.
+std::string escaped(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return escapedForXml(text);
 }
 
 std::string attribute(const char *name, const std::string &value) {
