@@ -10,9 +10,6 @@
 namespace halfspace {
 namespace {
 
-/// Of leaders, in design pixels.
-constexpr double leaderWidth = 1;
-
 PathPart partOf(const FlatShape &shape, double scale) {
   std::vector<glm::dvec2> spots;
   std::transform(shape.path.begin(), shape.path.end(), std::back_inserter(spots),

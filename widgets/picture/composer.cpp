@@ -16,9 +16,6 @@
 namespace halfspace {
 namespace {
 
-/// Of leaders, in design pixels.
-constexpr double leaderWidth = 1;
-
 /// How pale the shadows of translucent faces are beside those of what is solid.
 constexpr double faceShadowPaleness = 0.55;
 

@@ -13,8 +13,6 @@
 namespace halfspace {
 namespace {
 
-constexpr double leaderWidth = 1;
-
 QPointF toPoint(glm::dvec2 pixel) { return {pixel.x, pixel.y}; }
 
 QPen penOf(const FlatShape &shape) {

@@ -53,14 +53,14 @@ std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label) {
                                  glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent)};
 }
 
-std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders, double leaderWidth) {
+std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders, double width) {
   std::vector<Shape> shapes;
   const auto markOf = [](const LabelOnPage &label) {
     return label.text.isMark ? label.text.id : std::string();
   };
   for (const LabelOnPage &label : labels)
     if (const auto leader = leaderOf(label.place))
-      shapes.push_back({markOf(label), leaders, LeaderShape{leader->from, leader->to, leaderWidth}});
+      shapes.push_back({markOf(label), leaders, LeaderShape{leader->from, leader->to, width}});
   for (const LabelOnPage &label : labels) {
     const PixelBox box{label.place.topLeft, label.place.topLeft + label.place.extent};
     shapes.push_back(

@@ -29,8 +29,11 @@ private:
 /// The leader from a label's anchor to the label; nothing for one that stands beside it.
 [[nodiscard]] std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label);
 
+/// Of leaders, in design pixels.
+inline constexpr double leaderWidth = 1;
+
 /// What labels look like on the page: leaders, so many pixels wide, and before them the formulas.
 [[nodiscard]] std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders,
-                                          double leaderWidth);
+                                          double width);
 
 } // namespace halfspace
