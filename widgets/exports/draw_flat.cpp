@@ -1,5 +1,6 @@
 #include "widgets/exports/draw_flat.h"
 
+#include "widgets/exports/append.h"
 #include "widgets/exports/label_parts.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/picture/shapes/flat_shapes.h"
@@ -46,9 +47,7 @@ Drawing flatDrawingOf(const SceneContent &content, const Theme &theme, const Vie
     drawing.parts.emplace_back(partOf(shape, scale));
   const auto labels = LabelPage().place(labelTexts(content, {}, theme, view),
                                         obstaclesOf(content, std::nullopt, theme, view), set, view);
-  std::vector<DrawingPart> written =
-      labelParts(shapesOf(labels, theme.mutedInk, leaderWidth * view.pixelRatio), scale);
-  std::move(written.begin(), written.end(), std::back_inserter(drawing.parts));
+  append(drawing.parts, labelParts(shapesOf(labels, theme.mutedInk, leaderWidth * view.pixelRatio), scale));
   return drawing;
 }
 

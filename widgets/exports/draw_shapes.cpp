@@ -1,5 +1,6 @@
 #include "widgets/exports/draw_shapes.h"
 
+#include "widgets/exports/append.h"
 #include "widgets/exports/body_faces.h"
 #include "widgets/exports/ground_parts.h"
 #include "widgets/exports/label_parts.h"
@@ -74,10 +75,6 @@ private:
   std::vector<VeilLook> m_looks;
   std::map<std::string, Ball> m_balls; ///< by their marks
 };
-
-template <class Part, class More> void append(std::vector<Part> &parts, std::vector<More> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(parts));
-}
 
 std::vector<PathPart> spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
   const FaceVeils faces(facesWithBodies(list, paper), paper);

@@ -1,5 +1,6 @@
 #include "widgets/exports/ground_parts.h"
 
+#include "widgets/exports/append.h"
 #include "widgets/exports/page_polygon.h"
 #include "widgets/exports/paper_look.h"
 #include "widgets/picture/shapes/mesh.h"
@@ -138,10 +139,6 @@ std::vector<PathPart> shadowsOf(const std::vector<Shape> &shapes, Color color, c
   for (const Shape &shape : shapes)
     std::visit([&](const auto &form) { painter.paint(form); }, shape.form);
   return painter.take();
-}
-
-void append(std::vector<PathPart> &parts, std::vector<PathPart> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(parts));
 }
 
 } // namespace
