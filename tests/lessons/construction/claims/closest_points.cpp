@@ -1,58 +1,24 @@
-#include "lessons/object/kinds/line.h"
-#include "tests/lessons/construction/claims/claims.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/two_lines.h"
 
 namespace halfspace::test {
 namespace {
 
-struct TwoLines {
-  explicit TwoLines(Objects objects)
-      : g(objectAs<LineObject>(*objects[0]).value()), h(objectAs<LineObject>(*objects[1]).value()),
-        w(h.point - g.point), gg(product(g.direction, g.direction)), gh(product(g.direction, h.direction)),
-        hh(product(h.direction, h.direction)), turn(determinant(g.direction, w, h.direction)) {}
+struct ClosestPoints : TwoLines {
+  using TwoLines::TwoLines;
 
-  bool areLines() const { return gg != 0 && hh != 0; }
-  /// By the equality of Cauchy and Schwarz.
-  bool areAlong() const { return areLines() && gh * gh == gg * hh; }
-  bool areAcross() const { return areLines() && gh * gh != gg * hh; }
-  bool liesOnG(const ExactVec3 &point) const {
-    return vanishes(perpendicular(ExactVec3(point - g.point), g.direction));
-  }
   bool liesOnH(const ExactVec3 &point) const {
     return vanishes(perpendicular(ExactVec3(point - h.point), h.direction));
   }
-  bool areSame() const { return areAlong() && liesOnG(h.point); }
-  bool areParallel() const { return areAlong() && !liesOnG(h.point); }
-  bool meet() const { return areAcross() && turn == 0; }
-  bool areSkew() const { return areAcross() && turn != 0; }
   /// The first line's point is the nearest one of its line: the way from it to its foot on the other line is
   /// perpendicular to both.
   bool isBackAtStart() const {
-    return areLines() && product(w, g.direction) * hh == product(w, h.direction) * gh;
+    return areLines() && product(way, g.direction) * product(h.direction, h.direction) ==
+                             product(way, h.direction) * product(g.direction, h.direction);
   }
-
-  LineObject g, h;
-  ExactVec3 w;
-  Rational gg, gh, hh;
-  Rational turn; ///< of both directions and the way between the points
 };
-
-bool areLines(const TwoLines &at) { return at.areLines(); }
-bool areAlong(const TwoLines &at) { return at.areAlong(); }
-bool areAcross(const TwoLines &at) { return at.areAcross(); }
-bool areSame(const TwoLines &at) { return at.areSame(); }
-bool areParallel(const TwoLines &at) { return at.areParallel(); }
-bool meet(const TwoLines &at) { return at.meet(); }
-bool areSkew(const TwoLines &at) { return at.areSkew(); }
 
 Claims caseClaims() {
   return claimsAbout<TwoLines>({
-      {"{g.v} and {h.v} are zero vectors: they point nowhere, so there are no lines.",
-       [](const TwoLines &at) { return at.gg == 0 && at.hh == 0; }},
-      {"{g.v} is the zero vector: it points nowhere, so {g} is no line.",
-       [](const TwoLines &at) { return at.gg == 0 && at.hh != 0; }},
-      {"{h.v} is the zero vector: it points nowhere, so {h} is no line.",
-       [](const TwoLines &at) { return at.gg != 0 && at.hh == 0; }},
       {"{g} and {h} are the same line: every point of it lies on both.", areSame},
       {"{g} and {h} are parallel: every point of one is equally far from the other, and no single pair is "
        "closest. {dist}.",
@@ -63,14 +29,14 @@ Claims caseClaims() {
 }
 
 Claims wayClaims() {
-  return claimsAbout<TwoLines>({
+  return claimsAbout<ClosestPoints>({
       {"{g.A} is its own foot: it lies on {h}, too.",
-       [](const TwoLines &at) { return at.areLines() && at.liesOnH(at.g.point); }},
+       [](const ClosestPoints &at) { return at.areLines() && at.liesOnH(at.g.point); }},
       {"The foot of {g.A} on {h}.",
-       [](const TwoLines &at) { return at.areLines() && !at.liesOnH(at.g.point); }},
-      {"The foot of H on {g} is {g.A} again.", [](const TwoLines &at) { return at.isBackAtStart(); }},
+       [](const ClosestPoints &at) { return at.areLines() && !at.liesOnH(at.g.point); }},
+      {"The foot of H on {g} is {g.A} again.", [](const ClosestPoints &at) { return at.isBackAtStart(); }},
       {"The foot of H on {g}: it is not {g.A}.",
-       [](const TwoLines &at) { return at.areLines() && !at.isBackAtStart(); }},
+       [](const ClosestPoints &at) { return at.areLines() && !at.isBackAtStart(); }},
       {"From {g.A} to {h.A}.", always},
       {"The connection is perpendicular to {g}.", areLines},
       {"The connection is perpendicular to {h}.", areLines},
@@ -106,7 +72,7 @@ Claims boxClaims() {
 
 namespace claims {
 
-Claims closest_points() { return together({caseClaims(), wayClaims(), boxClaims()}); }
+Claims closest_points() { return together({zeroLinesClaims(), caseClaims(), wayClaims(), boxClaims()}); }
 
 } // namespace claims
 } // namespace halfspace::test

@@ -1,51 +1,13 @@
-#include "lessons/object/kinds/line.h"
-#include "tests/lessons/construction/claims/claims.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/two_lines.h"
 
 namespace halfspace::test {
 namespace {
 
-struct TwoLines {
-  explicit TwoLines(Objects objects)
-      : g(objectAs<LineObject>(*objects[0]).value()), h(objectAs<LineObject>(*objects[1]).value()),
-        common(perpendicular(g.direction, h.direction)), way(h.point - g.point),
-        turn(determinant(g.direction, way, h.direction)) {}
-
-  bool areLines() const { return !vanishes(g.direction) && !vanishes(h.direction); }
-  bool areAlong() const { return areLines() && vanishes(common); }
-  bool areSame() const { return areAlong() && vanishes(perpendicular(way, g.direction)); }
-  bool areParallel() const { return areAlong() && !areSame(); }
-  /// The directions are no multiples of each other.
-  bool areAcross() const { return areLines() && !vanishes(common); }
-  bool meet() const { return areAcross() && turn == 0; }
-  bool areSkew() const { return areAcross() && turn != 0; }
-
-  LineObject g, h;
-  ExactVec3 common;
-  ExactVec3 way;
-  /// How the second line turns around the first, seen with the first one's direction pointing at you: the
-  /// way to it and its direction turn as the hands of a clock do where this is negative.
-  Rational turn;
-};
-
-bool areLines(const TwoLines &at) { return at.areLines(); }
-bool areAlong(const TwoLines &at) { return at.areAlong(); }
-bool areAcross(const TwoLines &at) { return at.areAcross(); }
-bool areSame(const TwoLines &at) { return at.areSame(); }
-bool areParallel(const TwoLines &at) { return at.areParallel(); }
-bool meet(const TwoLines &at) { return at.meet(); }
-bool areSkew(const TwoLines &at) { return at.areSkew(); }
 bool goesCounterclockwise(const TwoLines &at) { return at.areSkew() && at.turn > 0; }
 bool goesClockwise(const TwoLines &at) { return at.areSkew() && at.turn < 0; }
 
 Claims caseClaims() {
   return claimsAbout<TwoLines>({
-      {"{g.v} and {h.v} are zero vectors: they point nowhere, so there are no lines.",
-       [](const TwoLines &at) { return vanishes(at.g.direction) && vanishes(at.h.direction); }},
-      {"{g.v} is the zero vector: it points nowhere, so {g} is no line.",
-       [](const TwoLines &at) { return vanishes(at.g.direction) && !vanishes(at.h.direction); }},
-      {"{h.v} is the zero vector: it points nowhere, so {h} is no line.",
-       [](const TwoLines &at) { return !vanishes(at.g.direction) && vanishes(at.h.direction); }},
       {"{g} and {h} are the same line, with directions that agree.",
        [](const TwoLines &at) { return at.areSame() && product(at.g.direction, at.h.direction) > 0; }},
       {"{g} and {h} are the same line, with opposite directions.",
@@ -92,7 +54,7 @@ Claims lineClaims() {
 
 namespace claims {
 
-Claims line_line() { return together({caseClaims(), lineClaims()}); }
+Claims line_line() { return together({zeroLinesClaims(), caseClaims(), lineClaims()}); }
 
 } // namespace claims
 } // namespace halfspace::test
