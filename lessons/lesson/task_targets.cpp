@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -29,6 +30,12 @@ public:
     setObject(moved, m_handle.object, movedTo(m_object, m_handle, place));
     return evaluate(moved, m_start);
   }
+  /// The same at one of the few places that tell how numbers change: all conditions ask at these.
+  [[nodiscard]] Evaluation atProbe(const ExactVec3 &place) const {
+    const auto known = std::find_if(m_probes.begin(), m_probes.end(),
+                                    [&](const auto &probe) { return probe.first == place; });
+    return known == m_probes.end() ? m_probes.emplace_back(place, at(place)).second : known->second;
+  }
 
   [[nodiscard]] const Evaluation &atStart() const { return m_start; }
 
@@ -37,6 +44,7 @@ private:
   Handle m_handle;
   Object m_object;
   Evaluation m_start;
+  mutable std::vector<std::pair<ExactVec3, Evaluation>> m_probes;
 };
 
 bool asksForANumber(const Condition &condition) {
@@ -120,7 +128,7 @@ std::optional<Lacking> lackingAfterWays(const Condition &condition, const Tried 
   Lacking lacking;
   std::optional<Rational> radicand;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    const auto lack = lackOf(condition, tried.at(start + ways.at(i)));
+    const auto lack = lackOf(condition, tried.atProbe(start + ways.at(i)));
     if (!lack || (lack->amount != 0 && radicand && *radicand != lack->radicand))
       return {};
     if (lack->amount != 0)
@@ -169,7 +177,7 @@ std::optional<Quadric> surfaceOf(const Condition &condition, const Tried &tried,
   bool areFractions = true;
   const auto places = Quadric::probes(start);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto value = findValue(tried.at(places.at(i)), condition.value);
+    const auto value = findValue(tried.atProbe(places.at(i)), condition.value);
     const auto *number = value ? std::get_if<Surd>(&*value) : nullptr;
     if (!number || !number->squared().isRational())
       return {};
