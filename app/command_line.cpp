@@ -1,13 +1,12 @@
 #include "app/command_line.h"
 
 #include "app/completion.h"
+#include "app/figure_options.h"
 #include "app/manual_page.h"
-#include "app/paper_options.h"
 #include "app/parse_refusal.h"
 #include "lessons/guess.h"
 #include "lessons/words.h"
 #include "widgets/carriers/carrier.h"
-#include "widgets/exports/format.h"
 #include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/scene/offscreen.h"
 
@@ -30,25 +29,6 @@ std::string summary() {
 }
 
 PrintCommand complaint(const std::string &sentence) { return {sentence, true}; }
-
-/// 1600x1000
-std::optional<PixelSize> parseSize(const std::string &text) {
-  const auto x = text.find_first_of("xX");
-  if (x == std::string::npos)
-    return {};
-  const auto parse = [](std::string_view part) -> std::optional<int> {
-    int value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > maxPictureSide)
-      return {};
-    return value;
-  };
-  const auto width = parse(std::string_view(text).substr(0, x));
-  const auto height = parse(std::string_view(text).substr(x + 1));
-  if (!width || !height)
-    return {};
-  return PixelSize{*width, *height};
-}
 
 /// A whole number ≥ 0, and no more than highestFrame.
 std::optional<int> parseFrame(std::string_view text) {
@@ -83,26 +63,6 @@ std::optional<NumberedFile> parseNumberedFile(const std::string &file) {
                       file.substr(end + 1)};
 }
 
-/// Whether a file's name promises a picture of pixels, or nothing.
-bool namesPng(const std::string &file) {
-  const std::string ending = endingOf(file);
-  return ending.empty() || ending == ".png";
-}
-
-std::string themeNames(const std::string &separator) {
-  std::string names;
-  for (const Theme &theme : themes())
-    names += (names.empty() ? "" : separator) + theme.name;
-  return names;
-}
-
-/// PNG, SVG, PDF …, or .png, .svg, .pdf …: what pictures can be written as.
-std::string formats(std::string list, std::string ExportFormat::*part) {
-  for (const ExportFormat &format : exportFormats())
-    list += ", " + format.*part;
-  return list;
-}
-
 /// Those of pictures that can be opened again.
 std::string carrierEndings(const std::string &separator) {
   std::string endings;
@@ -122,12 +82,10 @@ struct Arguments {
   NewLessonCommand newLesson;
   ReadMeshCommand readMesh;
   OwnLessons ownLessons;
-  std::string size = "1600x1000";
-  std::string theme = themes().front().name;
   int step = 0;
   std::string frame;
   std::string frames;
-  PaperOptions paper;
+  FigureOptions figure;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -182,23 +140,11 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
       "render", words("Draw the figure as a picture, of pixels or of vectors; needs no display"));
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
-  render
-      ->add_option("-o,--output", command.output,
-                   words("The file to write; its ending says how: {endings}",
-                         {{"endings", formats(".png", &ExportFormat::ending)}}))
-      ->type_name("FILE")
-      ->required();
-  render->add_option("--size", arguments.size, words("Its sides in pixels; of vectors, its shape"))
-      ->type_name("WIDTHxHEIGHT")
-      ->capture_default_str();
-  render->add_flag("--transparent", command.transparent, words("No background"));
+  addFigureOptions(*render, arguments.figure);
   render->add_flag("--anonymous", command.anonymous,
                    words("Leave the scene out of the file: {endings} can be opened again with it",
                          {{"endings", carrierEndings(", ")}}));
   render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
-  render->add_option("--theme", arguments.theme, words("The picture's colours"))
-      ->type_name(themeNames("|"))
-      ->capture_default_str();
   render
       ->add_option("--step", arguments.step,
                    words("The lesson's step to show, counted from 1; without it that of a session, the "
@@ -212,7 +158,6 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
                    words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
       ->type_name("A:B")
       ->excludes(frame);
-  addPaperOptions(*render, arguments.paper);
   return render;
 }
 
@@ -221,29 +166,11 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   const bool stepGiven = render.count("--step") > 0;
   const bool framesGiven = render.count("--frames") > 0;
   RenderCommand command = arguments.render;
-  const auto size = parseSize(arguments.size);
-  if (!size)
-    return complaint(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
-                           {{"largest", std::to_string(maxPictureSide)}, {"size", arguments.size}}));
-  if (!namesPng(command.output) && !formatOfFile(command.output))
-    return complaint(
-        words("Figures are written as {formats}: let the name end in {endings}, not as “{file}” does.",
-              {{"formats", formats("PNG", &ExportFormat::name)},
-               {"endings", formats(".png", &ExportFormat::ending)},
-               {"file", command.output}}));
-  for (const char *option : {"--width", "--text", "--hidden"})
-    if (render.count(option) > 0 && namesPng(command.output))
-      return complaint(
-          words("{option} is for figures of vectors: a PNG picture has the size that --size says.",
-                {{"option", option}}));
-  const auto paper = paperOf(arguments.paper);
-  if (!paper)
-    return complaint(paper.problem().sentence);
-  command.paper = *paper;
-  const Theme *theme = findTheme(arguments.theme);
-  if (!theme)
-    return complaint(words("There is no theme “{theme}”. The themes are {themes}.",
-                           {{"theme", arguments.theme}, {"themes", themeNames(", ")}}));
+  const auto choices = choicesOf(arguments.figure, render);
+  if (!choices)
+    return complaint(choices.problem().sentence);
+  command.choices = *choices;
+  command.output = arguments.figure.output;
   if (stepGiven && arguments.step < 1)
     return complaint(words("--step counts from 1."));
   if (framesGiven || render.count("--frame") > 0) {
@@ -258,8 +185,6 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
       return complaint(
           words("Several frames need a place for their number in the file's name: -o frames/%04d.png."));
   }
-  command.size = *size;
-  command.theme = *theme;
   if (stepGiven)
     command.step = arguments.step;
   return command;

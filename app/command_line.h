@@ -1,9 +1,7 @@
 // The command line: what was asked for, before anything is done about it.
 #pragma once
 
-#include "widgets/exports/paper_look.h"
-#include "widgets/picture/camera.h"
-#include "widgets/picture/theme.h"
+#include "app/figures/figure_choices.h"
 
 #include <optional>
 #include <string>
@@ -54,28 +52,18 @@ struct NumberedFile {
   std::string behind;
 };
 
-/// How a figure is drawn that is made of vectors.
-struct PaperCommand {
-  double width = 12 * pointsPerCentimetre; ///< of the page, in points
-  double typeSize = 9;                     ///< of the labels of marks, in points
-  HiddenLines hidden = HiddenLines::Dashed;
-};
-
 struct RenderCommand {
   std::string subject;
   std::vector<std::string> assignments;
   std::string output;
-  PixelSize size{1600, 1000};
+  FigureChoices choices{};
   OwnLessons ownLessons{};
-  bool transparent = false;
-  bool anonymous = false; ///< without the session, with which the picture could be opened again
-  bool flat = false;      ///< the lesson's flat picture in the place of the one in space
-  Theme theme = themes().front();
-  std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the
-                           ///< whole figure of a lesson, or, of frames, the flight's step
+  bool anonymous = false;    ///< without the session, with which the picture could be opened again
+  bool flat = false;         ///< the lesson's flat picture in the place of the one in space
+  std::optional<int> step{}; ///< counted from 1, as the window counts; nothing: that of a session's file, the
+                             ///< whole figure of a lesson, or, of frames, the flight's step
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
   std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
-  PaperCommand paper{};                        ///< for figures of vectors
 };
 
 struct EvalCommand {

@@ -1,5 +1,6 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
+#include "app/figures/figure_maker.h"
 #include "app/standard_streams.h"
 #include "lessons/files/write_file.h"
 #include "lessons/lesson/nearest_step.h"
@@ -8,24 +9,12 @@
 #include "lessons/object/kinds/number.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
-#include "widgets/carriers/carrier.h"
-#include "widgets/exports/draw_flat.h"
-#include "widgets/exports/draw_shapes.h"
-#include "widgets/exports/format.h"
 #include "widgets/picture/camera_views.h"
-#include "widgets/picture/composer.h"
-#include "widgets/picture/design_scale.h"
-#include "widgets/picture/flat_picture.h"
 #include "widgets/picture/lesson_picture.h"
 #include "widgets/picture/shapes/surface_layers.h"
-#include "widgets/scene/offscreen.h"
-#include "widgets/scene/png.h"
-#include "widgets/typeset/flat_painter.h"
-#include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 namespace halfspace {
@@ -56,7 +45,7 @@ Result<const LessonStep *> stepToShow(const RenderCommand &command, const Opened
   return lesson && isSession ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
 }
 
-/// What the pictures of a command are of.
+/// What the figures of a command are of.
 struct Motif {
   const RenderCommand &command;
   const OpenedSession &opened; ///< with the scene of the picture that comes next
@@ -74,57 +63,13 @@ Session sessionOf(const Motif &motif) {
   return session;
 }
 
-/// A picture as its file holds it: with its session, unless that is to be left out.
-std::string fileContent(std::string picture, const Motif &motif) {
-  if (motif.command.anonymous)
-    return picture;
-  return withSession(std::move(picture), writeSession(sessionOf(motif)));
+/// Where a scene is looked at from: as somebody had put the camera when the session was saved, or as its
+/// lesson begins.
+Camera cameraFor(const Motif &motif, const Evaluation &evaluation, const View &frame) {
+  if (const auto &view = motif.opened.session.view)
+    return cameraOf(*view);
+  return homeOf(motif.opened.lesson, evaluation, motif.stage, frame.size, frame.pixelRatio);
 }
-
-/// The pictures of a command, which are drawn one after the other.
-class Pictures {
-public:
-  virtual ~Pictures() = default;
-  /// From now on they show what came after this.
-  virtual void begin(const Evaluation &evaluation) = 0;
-  /// Draws one into a file.
-  [[nodiscard]] virtual std::optional<Problem> write(const Evaluation &evaluation,
-                                                     const std::string &file) = 0;
-
-protected:
-  explicit Pictures(Motif motif) : m_motif(std::move(motif)) {}
-  [[nodiscard]] const Motif &motif() const { return m_motif; }
-  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
-  }
-  /// A picture leaves out surfaces, or not. It is told once: of a flight many would.
-  void tellWhatIsLeftOut(bool leavesOutSurfaces) {
-    if (leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true))
-      printError(overfullWords());
-  }
-
-private:
-  Motif m_motif;
-  bool m_hasToldOfOverfull = false;
-};
-
-/// Pictures of pixels.
-class PixelPictures : public Pictures {
-public:
-  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
-    const auto picture = draw(evaluation);
-    if (!picture)
-      return picture.problem();
-    auto png = pngOf(*picture);
-    return png ? writeFile(file, fileContent(std::move(*png), motif())) : png.problem();
-  }
-
-protected:
-  using Pictures::Pictures;
-
-private:
-  [[nodiscard]] virtual Result<RgbaImage> draw(const Evaluation &evaluation) = 0;
-};
 
 /// Flat pictures are each laid on their page by themselves.
 Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluation) {
@@ -136,154 +81,60 @@ Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluati
   return FlatPicture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
 }
 
-class FlatPictures : public PixelPictures {
+/// The figures of a command, which are drawn one after the other, seen from one place.
+class Figures {
 public:
-  explicit FlatPictures(const Motif &motif) : PixelPictures(motif) {}
-  void begin(const Evaluation &) override {}
-
-private:
-  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
-    const RenderCommand &command = motif().command;
-    const auto picture = flatPictureOf(motif(), evaluation);
-    if (!picture)
-      return picture.problem();
-    const View view = picture->fitted({{}, command.size, ownPixelRatio(command.size)});
-    return drawFlat(picture->seenFrom(view), command.theme, view, command.transparent, m_typesetter);
+  Figures(Motif motif, const Evaluation &evaluation)
+      : m_motif(std::move(motif)), m_camera(cameraFor(m_motif, evaluation, m_motif.command.choices.frame())) {
   }
 
-  Typesetter m_typesetter;
-};
+  /// From now on they show what came after this: they are framed and labelled as it is.
+  void begin(const Evaluation &evaluation) { m_beginning = content(evaluation); }
 
-/// Where a scene is looked at from: as somebody had put the camera when the session was saved, or as its
-/// lesson begins.
-Camera cameraFor(const Motif &motif, const Evaluation &evaluation, PixelSize size, double pixelRatio) {
-  if (const auto &view = motif.opened.session.view)
-    return cameraOf(*view);
-  return homeOf(motif.opened.lesson, evaluation, motif.stage, size, pixelRatio);
-}
-
-/// Pictures in space: those of a flight are seen from one place, and their labels stand where they stand at
-/// its beginning.
-class SpacePictures : public PixelPictures {
-public:
-  SpacePictures(const Motif &motif, const Camera &camera) : PixelPictures(motif), m_camera(camera) {}
-
-  void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
-
-private:
-  [[nodiscard]] Result<RgbaImage> draw(const Evaluation &evaluation) override {
-    PictureRequest request;
-    request.content = content(evaluation);
-    request.labelledLike = m_beginning;
-    request.camera = m_camera;
-    request.theme = motif().command.theme;
-    request.size = motif().command.size;
-    request.transparent = motif().command.transparent;
-    auto picture = m_painter.draw(request);
-    if (!picture)
-      return picture.problem();
-    tellWhatIsLeftOut(picture->leavesOutSurfaces);
-    return RgbaImage(std::move(*picture));
+  /// Draws one into a file.
+  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) {
+    const auto subject = subjectOf(evaluation);
+    if (!subject)
+      return subject.problem();
+    auto figure = m_maker.file(*subject, m_motif.command.choices);
+    if (!figure)
+      return figure.problem();
+    if (figure->leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true)) // of a flight many would
+      printError(overfullWords());
+    return writeFile(file, figure->content);
   }
 
+private:
+  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
+    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
+  }
+
+  [[nodiscard]] Result<FigureSubject> subjectOf(const Evaluation &evaluation) const {
+    const auto &[command, opened, step, stage] = m_motif;
+    FigureSubject subject;
+    subject.content = content(evaluation);
+    subject.framedLike = m_beginning;
+    subject.camera = m_camera;
+    if (command.flat) {
+      auto flat = flatPictureOf(m_motif, evaluation);
+      if (!flat)
+        return flat.problem();
+      subject.flat = std::move(*flat);
+    }
+    subject.title = opened.lesson ? opened.lesson->title : command.subject;
+    subject.description = shownIn(step ? *step : LessonStep(), evaluation).description;
+    if (!command.anonymous)
+      subject.session = writeSession(sessionOf(m_motif));
+    return subject;
+  }
+
+  Motif m_motif;
   Camera m_camera;
   std::optional<SceneContent> m_beginning;
+  bool m_hasToldOfOverfull = false;
   Typesetter m_typesetter;
-  OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
+  FigureMaker m_maker{m_typesetter};
 };
-
-/// Pictures of vectors, in a format.
-class VectorPictures : public Pictures {
-public:
-  VectorPictures(const Motif &motif, const ExportFormat &format) : Pictures(motif), m_format(format) {}
-
-  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) override {
-    auto drawing = draw(evaluation);
-    if (!drawing)
-      return drawing.problem();
-    const auto &[command, opened, step, stage] = motif();
-    drawing->title = opened.lesson ? opened.lesson->title : command.subject;
-    drawing->description = shownIn(step ? *step : LessonStep(), evaluation).description;
-    return writeFile(file, fileContent(m_format.write(*drawing, m_typesetter.fonts()), motif()));
-  }
-
-protected:
-  [[nodiscard]] LabelSetter setter() const { return labelSetter(m_typesetter.fonts()); }
-  [[nodiscard]] PaperLook look() const {
-    const RenderCommand &command = motif().command;
-    return {command.paper.width, command.paper.hidden, !command.transparent};
-  }
-  /// Still without its camera.
-  [[nodiscard]] View view() const {
-    const RenderCommand &command = motif().command;
-    return viewOnPaper(command.size, command.paper.width, command.paper.typeSize, command.theme);
-  }
-
-private:
-  [[nodiscard]] virtual Result<Drawing> draw(const Evaluation &evaluation) = 0;
-
-  const ExportFormat &m_format;
-  Typesetter m_typesetter;
-};
-
-class FlatDrawings : public VectorPictures {
-public:
-  using VectorPictures::VectorPictures;
-  void begin(const Evaluation &) override {}
-
-private:
-  [[nodiscard]] Result<Drawing> draw(const Evaluation &evaluation) override {
-    const auto picture = flatPictureOf(motif(), evaluation);
-    if (!picture)
-      return picture.problem();
-    const View fitted = picture->fitted(view());
-    return flatDrawingOf(picture->seenFrom(fitted), motif().command.theme, fitted, look(), setter());
-  }
-};
-
-/// Seen from one place and labelled as its pictures of pixels are.
-class SpaceDrawings : public VectorPictures {
-public:
-  SpaceDrawings(const Motif &motif, const ExportFormat &format, const Evaluation &evaluation)
-      : VectorPictures(motif, format), m_composer(setter()) {
-    View seen = view();
-    seen.camera = cameraFor(motif, evaluation, seen.size, seen.pixelRatio);
-    m_composer.setTheme(motif.command.theme);
-    m_composer.setBackgroundVisible(!motif.command.transparent);
-    m_composer.setView(std::move(seen));
-  }
-
-  void begin(const Evaluation &evaluation) override { m_beginning = content(evaluation); }
-
-private:
-  [[nodiscard]] Result<Drawing> draw(const Evaluation &evaluation) override {
-    m_composer.forgetLabels();
-    if (m_beginning) {
-      m_composer.setContent(*m_beginning);
-      m_composer.compose();
-    }
-    m_composer.setContent(content(evaluation));
-    const ShapeList &shapes = m_composer.compose();
-    tellWhatIsLeftOut(shapes.leavesOutSurfaces);
-    return drawingOf(shapes, look());
-  }
-
-  std::optional<SceneContent> m_beginning;
-  Composer m_composer;
-};
-
-std::unique_ptr<Pictures> picturesOf(const Motif &motif, const Evaluation &evaluation) {
-  const RenderCommand &command = motif.command;
-  if (const ExportFormat *format = formatOfFile(command.output)) {
-    if (command.flat)
-      return std::make_unique<FlatDrawings>(motif, *format);
-    return std::make_unique<SpaceDrawings>(motif, *format, evaluation);
-  }
-  if (command.flat)
-    return std::make_unique<FlatPictures>(motif);
-  return std::make_unique<SpacePictures>(
-      motif, cameraFor(motif, evaluation, command.size, ownPixelRatio(command.size)));
-}
 
 /// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
 std::optional<std::string> frameNumberOf(const OpenedSession &opened) {
@@ -310,7 +161,7 @@ std::string fileOf(const NumberedFile &file, int frame) {
 
 /// Draws and writes one frame after the other.
 std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Evaluation evaluation,
-                                   Pictures &pictures) {
+                                   Figures &figures) {
   const auto number = frameNumberOf(opened);
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
@@ -323,12 +174,12 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
                      "", 0, "--frame"};
   goToFrame(objectAs<NumberObject>(*findObject(scene, *number))->from, *number, scene);
   evaluation = evaluate(scene, evaluation);
-  pictures.begin(evaluation);
+  figures.begin(evaluation);
   for (int frame = first; frame <= last; ++frame) {
     goToFrame(frame, *number, scene);
     evaluation = evaluate(scene, evaluation);
     const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
-    if (auto problem = pictures.write(evaluation, file))
+    if (auto problem = figures.write(evaluation, file))
       return problem;
   }
   return {};
@@ -347,9 +198,9 @@ int runRender(const RenderCommand &command) {
   const Scene &scene = opened->session.scene;
   Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
-  const auto pictures = picturesOf({command, *opened, *step, stage}, evaluation);
-  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), *pictures)
-                                      : pictures->write(evaluation, command.output);
+  Figures figures({command, *opened, *step, stage}, evaluation);
+  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), figures)
+                                      : figures.write(evaluation, command.output);
   return problem ? fail(*problem) : 0;
 }
 

@@ -13,7 +13,7 @@ const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NA
                         "text",      "latex",         "json",   "light",     "dark",      "print",
                         "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere",   "LENGTH",
                         "dashed",    "paler",         "left",   "out",       "width",     "hidden",
-                        "mathml"};
+                        "mathml",    "shapes",        "letters"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:

@@ -25,7 +25,7 @@ void measureLargest(const Lesson &lesson, const ExportFormat &format) {
   std::size_t bytes = 0;
   for (int i = 0; i < rounds; ++i) {
     const auto start = Clock::now();
-    bytes = format.write(drawingOf(shapes, look), math::fonts()).size();
+    bytes = format.write(drawingOf(shapes, look), math::fonts(), TextAs::Shapes).size();
     durations.add(millisecondsSince(start));
   }
   printGoal(format.name + " of " + lesson.id + ", ms", durations.median(), mostMilliseconds);
@@ -39,7 +39,7 @@ void measureBatch(const ExportFormat &format) {
   const auto start = Clock::now();
   for (const Lesson &lesson : library().lessons)
     for (const LessonStep &step : lesson.steps)
-      figures += format.write(drawingOfStep(lesson, step), math::fonts()).empty() ? 0U : 1U;
+      figures += format.write(drawingOfStep(lesson, step), math::fonts(), TextAs::Shapes).empty() ? 0U : 1U;
   printLeast(format.name + " of all steps, figures a second",
              1000 * static_cast<double>(figures) / millisecondsSince(start), leastFiguresASecond);
 }

@@ -28,7 +28,7 @@ inline std::string vectorPicture(const std::string &ending) {
   line.path.steps = {{PageStep::Kind::Move, {}, {}, {10, 10}}, {PageStep::Kind::Line, {}, {}, {90, 70}}};
   line.pen = Pen{};
   drawing.parts = {line};
-  return formatOfFile("x" + ending)->write(drawing, math::fonts());
+  return formatOfFile("x" + ending)->write(drawing, math::fonts(), TextAs::Shapes);
 }
 
 inline std::string pictureOf(const Carrier &carrier) {

@@ -41,8 +41,8 @@ TEST_P(LessonFigures, InEveryFormat_AreTheSameBytesAgain_WithoutAPictureOfPixels
   forEachStep([](const Drawing &drawing) {
     EXPECT_GT(drawing.parts.size(), 20U);
     for (const ExportFormat &format : exportFormats()) {
-      const std::string file = format.write(drawing, math::fonts());
-      EXPECT_EQ(file, format.write(drawing, math::fonts())) << format.name;
+      const std::string file = format.write(drawing, math::fonts(), TextAs::Shapes);
+      EXPECT_EQ(file, format.write(drawing, math::fonts(), TextAs::Shapes)) << format.name;
       for (const char *pixels : {"<image", "/Subtype/Image", "includegraphics"})
         EXPECT_EQ(file.find(pixels), std::string::npos) << format.name << ": " << pixels;
       EXPECT_LT(file.size(), format.name == "PDF" ? 40U * 1024 : 1024U * 1024) << format.name;
@@ -69,7 +69,7 @@ TEST_P(LessonFigures, AsSvg_AreWellFormed) {
   if (!has("xmllint"))
     GTEST_SKIP() << "xmllint is not installed";
   forEachStep([&](const Drawing &drawing) {
-    for (const SvgText text : {SvgText::Shapes, SvgText::Letters}) {
+    for (const TextAs text : {TextAs::Shapes, TextAs::Letters}) {
       write("figure.svg", svgOf(drawing, math::fonts(), text));
       const Ran ran = shell("xmllint --noout figure.svg >.out 2>.err");
       EXPECT_EQ(ran.status, 0) << ran.err;

@@ -90,6 +90,7 @@ Drawing drawingOf(const ShapeList &list, const PaperLook &look) {
   const Paper paper(list, look.width);
   Drawing drawing;
   drawing.size = paper.size();
+  drawing.leavesOutSurfaces = list.leavesOutSurfaces;
   if (list.background.isVisible)
     drawing.ground = groundOf(look, list.background.bottom);
   append(drawing.parts, groundParts(list, paper));

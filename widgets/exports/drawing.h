@@ -59,9 +59,13 @@ struct Drawing {
   glm::dvec2 size{}; ///< of the page
   std::optional<Color> ground{};
   std::vector<DrawingPart> parts{}; ///< in the order in which they are painted
+  bool leavesOutSurfaces = false;   ///< as `ShapeList` has it
   std::string title{};
   std::string description{};   ///< what is to be seen, in a sentence
   std::string language = "en"; ///< that both are written in
 };
+
+/// The part of a drawing that lies on a smaller page, which has this corner and size on its own.
+[[nodiscard]] Drawing partOf(Drawing drawing, glm::dvec2 corner, glm::dvec2 size);
 
 } // namespace halfspace

@@ -8,8 +8,6 @@
 namespace halfspace {
 namespace {
 
-/// A page is so many pixels wide: labels stand on whole ones, which are finer than what is printed.
-constexpr int pixelsAcross = 4800;
 /// No page is higher than so many times its width, nor wider than so many times its height.
 constexpr double longest = 10;
 
@@ -20,10 +18,10 @@ std::optional<Color> groundOf(const PaperLook &look, Color background) {
   return look.hasGround && background != white ? std::optional(background) : std::nullopt;
 }
 
-View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme) {
+View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme, int pixelsAcross) {
   const double heightPerWidth =
       std::clamp(static_cast<double>(shape.height) / shape.width, 1 / longest, longest);
-  const int height = static_cast<int>(std::lround(pixelsAcross * heightPerWidth));
+  const int height = std::max(1, static_cast<int>(std::lround(pixelsAcross * heightPerWidth)));
   return {{}, {pixelsAcross, height}, typeSize / (markTextSize * theme.textScale) * pixelsAcross / width};
 }
 

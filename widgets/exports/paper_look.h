@@ -28,9 +28,14 @@ struct PaperLook {
 /// clear.
 [[nodiscard]] std::optional<Color> groundOf(const PaperLook &look, Color background);
 
-/// A view of a shape, still without its camera, that is drawn so many points wide, with the labels of marks
-/// in type of a size in points.
-[[nodiscard]] View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme);
+/// A drawing on paper is composed on a view of so many pixels across: labels stand on whole ones, which are
+/// finer than what is printed.
+inline constexpr int drawingPixels = 4800;
+
+/// A view of a shape, still without its camera, on so many pixels across that are `width` points, with the
+/// labels of marks in type of a size in points.
+[[nodiscard]] View viewOnPaper(PixelSize shape, double width, double typeSize, const Theme &theme,
+                               int pixelsAcross = drawingPixels);
 
 /// On a screen lines are tubes, as thick as it takes to be lit. On paper a pen needs this part of that …
 inline constexpr double penPerTube = 0.45;

@@ -86,8 +86,8 @@ std::string pathElement(const PagePath &path, const std::string &attributes) {
 
 class SvgWriter {
 public:
-  SvgWriter(const math::MathFonts &fonts, SvgText text) : m_fonts(fonts), m_text(text) {
-    if (text == SvgText::Letters)
+  SvgWriter(const math::MathFonts &fonts, TextAs text) : m_fonts(fonts), m_text(text) {
+    if (text == TextAs::Letters)
       m_characters.emplace(fonts.math.face());
   }
 
@@ -104,7 +104,7 @@ public:
     const Pen halo{part.halo, 2 * haloWidth * part.size};
     for (const InkedOutline &outline : outlines)
       group += pathElement(outline.path, fillAttributes(Fill{part.halo}) + penAttributes(halo));
-    if (m_text == SvgText::Letters)
+    if (m_text == TextAs::Letters)
       group += letters(part);
     else
       for (const InkedOutline &outline : outlines)
@@ -137,13 +137,13 @@ private:
   }
 
   const math::MathFonts &m_fonts;
-  SvgText m_text;
+  TextAs m_text;
   std::optional<GlyphCharacters> m_characters;
 };
 
 } // namespace
 
-std::string svgOf(const Drawing &drawing, const math::MathFonts &fonts, SvgText text) {
+std::string svgOf(const Drawing &drawing, const math::MathFonts &fonts, TextAs text) {
   const std::string width = pageNumber(drawing.size.x);
   const std::string height = pageNumber(drawing.size.y);
   std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +

@@ -3,6 +3,9 @@
 
 namespace halfspace {
 
-ExportFormat pdf() { return {"PDF", ".pdf", pdfOf}; }
+ExportFormat pdf() {
+  return {"PDF", ".pdf",
+          [](const Drawing &drawing, const math::MathFonts &fonts, TextAs) { return pdfOf(drawing, fonts); }};
+}
 
 } // namespace halfspace

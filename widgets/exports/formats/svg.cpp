@@ -3,9 +3,6 @@
 
 namespace halfspace {
 
-ExportFormat svg() {
-  return {"SVG", ".svg",
-          [](const Drawing &drawing, const math::MathFonts &fonts) { return svgOf(drawing, fonts); }};
-}
+ExportFormat svg() { return {"SVG", ".svg", svgOf, true}; }
 
 } // namespace halfspace

@@ -4,7 +4,8 @@
 namespace halfspace {
 
 ExportFormat tikz() {
-  return {"TikZ", ".tex", [](const Drawing &drawing, const math::MathFonts &) { return tikzOf(drawing); }};
+  return {"TikZ", ".tex",
+          [](const Drawing &drawing, const math::MathFonts &, TextAs) { return tikzOf(drawing); }};
 }
 
 } // namespace halfspace

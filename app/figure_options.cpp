@@ -1,0 +1,224 @@
+#include "app/figure_options.h"
+
+#include "lessons/words.h"
+#include "widgets/scene/offscreen.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+namespace halfspace {
+namespace {
+
+/// 1600x1000
+std::optional<PixelSize> parseSize(const std::string &text) {
+  const auto x = text.find_first_of("xX");
+  if (x == std::string::npos)
+    return {};
+  const auto parse = [](std::string_view part) -> std::optional<int> {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > maxPictureSide)
+      return {};
+    return value;
+  };
+  const auto width = parse(std::string_view(text).substr(0, x));
+  const auto height = parse(std::string_view(text).substr(x + 1));
+  if (!width || !height)
+    return {};
+  return PixelSize{*width, *height};
+}
+
+/// A positive number that is taken off the front of a text.
+std::optional<double> takePositive(std::string_view &text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !(value > 0))
+    return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+std::optional<double> parsePositive(std::string_view text) {
+  const auto value = takePositive(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+/// A positive length in points: 8cm, 80mm or 226pt.
+std::optional<double> parseLength(std::string_view text) {
+  const auto value = takePositive(text);
+  for (const auto &[name, points] :
+       {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerCentimetre / 10}, {"pt", 1.0}})
+    if (value && text == name)
+      return *value * points;
+  return {};
+}
+
+/// Smaller and larger pages and type are for nobody, in points.
+constexpr double leastWidth = pointsPerCentimetre;
+constexpr double mostWidth = 100 * pointsPerCentimetre;
+constexpr double leastType = 3;
+constexpr double mostType = 72;
+/// Labels of larger type, in parts of the width, find no place beside one another.
+constexpr double mostTypePerWidth = 0.1;
+/// As coarse as a screen of long ago, and as fine as a typesetter.
+constexpr double leastPixelsPerInch = 10;
+constexpr double mostPixelsPerInch = 2400;
+
+/// How what is hidden may be drawn, by its word.
+constexpr std::array hiddenWords{std::pair("dashed", HiddenLines::Dashed),
+                                 std::pair("paler", HiddenLines::Paler),
+                                 std::pair("left-out", HiddenLines::LeftOut)};
+/// How formulas may be written.
+constexpr std::array textWords{std::pair("shapes", TextAs::Shapes), std::pair("letters", TextAs::Letters)};
+
+/// What a word stands for; nothing where it is none of them.
+template <class Meaning, std::size_t count>
+std::optional<Meaning> meant(const std::array<std::pair<const char *, Meaning>, count> &wordList,
+                             const std::string &word) {
+  for (const auto &[name, meaning] : wordList)
+    if (word == name)
+      return meaning;
+  return {};
+}
+
+Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
+
+std::string themeNames(const std::string &separator) {
+  std::string names;
+  for (const Theme &theme : themes())
+    names += (names.empty() ? "" : separator) + theme.name;
+  return names;
+}
+
+/// PNG, SVG, PDF …, or .png, .svg, .pdf …: what figures can be written as.
+std::string formats(std::string FigureFormat::*part) {
+  std::string list;
+  for (const FigureFormat &format : figureFormats())
+    list += (list.empty() ? "" : ", ") + format.*part;
+  return list;
+}
+
+Result<PaperSize> paperSizeOf(const FigureOptions &options) {
+  const auto width = parseLength(options.width);
+  if (!width || *width < leastWidth || *width > mostWidth)
+    return refused(words("--width takes a length from 1cm to 100cm, as 8cm, 80mm or 227pt, not “{width}”.",
+                         {{"width", options.width}}));
+  const auto typeSize = parseLength(options.typeSize);
+  if (!typeSize || *typeSize < leastType || *typeSize > mostType)
+    return refused(
+        words("--text takes a size of type from 3pt to 72pt, not “{size}”.", {{"size", options.typeSize}}));
+  if (*typeSize > *width * mostTypePerWidth)
+    return refused(words("Type of {size} is too large for a figure {width} wide: at most a tenth of that.",
+                         {{"size", options.typeSize}, {"width", options.width}}));
+  const auto pixels = parsePositive(options.pixelsPerInch);
+  if (!pixels || *pixels < leastPixelsPerInch || *pixels > mostPixelsPerInch)
+    return refused(words("--dpi takes the pixels of an inch, from 10 to 2400, not “{number}”.",
+                         {{"number", options.pixelsPerInch}}));
+  return PaperSize{*width, *typeSize, *pixels};
+}
+
+/// A sentence where an option is given that a format has no use for.
+std::optional<Problem> uselessOption(const FigureFormat &format, const CLI::App &command) {
+  const auto isGiven = [&](const char *option) { return command.count(option) > 0; };
+  if (isGiven("--hidden") && !format.vectors)
+    return refused(words("--hidden is for figures of vectors: in a PNG picture what is hidden is paler."));
+  if (isGiven("--dpi") && format.vectors)
+    return refused(words("--dpi is for PNG pictures: a figure of vectors has no pixels."));
+  if (isGiven("--svg-text") && !(format.vectors && format.vectors->choosesText))
+    return refused(
+        words("--svg-text is for SVG: {format} has its own way with text.", {{"format", format.name}}));
+  return {};
+}
+
+} // namespace
+
+void addFigureOptions(CLI::App &command, FigureOptions &options) {
+  command
+      .add_option("-o,--output", options.output,
+                  words("The file to write; its ending says how: {endings}",
+                        {{"endings", formats(&FigureFormat::ending)}}))
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("--size", options.size,
+                  words("Its sides in pixels; of a figure that is measured on paper, its shape"))
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
+  command
+      .add_option("--width", options.width,
+                  words("How wide it is on paper, in cm, mm or pt; vectors are always measured so"))
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_option("--text", options.typeSize, words("The size of its type on paper"))
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--dpi", options.pixelsPerInch,
+                  words("How many pixels an inch of a PNG picture has that is measured on paper"))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command.add_flag("--crop", options.isCropped,
+                   words("Only what is drawn, as large as the width allows, in place of the whole view"));
+  command.add_flag("--transparent", options.isTransparent, words("No background"));
+  command.add_option("--theme", options.theme, words("The picture's colours"))
+      ->type_name(themeNames("|"))
+      ->capture_default_str();
+  command
+      .add_option("--hidden", options.hidden,
+                  words("How lines of vectors are drawn where a face stands before them"))
+      ->type_name("dashed|paler|left-out")
+      ->capture_default_str();
+  command
+      .add_option("--svg-text", options.text,
+                  words("How SVG has its text: as shapes, which look the same everywhere, or as letters"))
+      ->type_name("shapes|letters")
+      ->capture_default_str();
+}
+
+Result<FigureChoices> choicesOf(const FigureOptions &options, const CLI::App &command) {
+  FigureChoices choices;
+  const auto size = parseSize(options.size);
+  if (!size)
+    return refused(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
+                         {{"largest", std::to_string(maxPictureSide)}, {"size", options.size}}));
+  choices.size = *size;
+  choices.format = figureFormatOf(options.output);
+  if (!choices.format)
+    return refused(
+        words("Figures are written as {formats}: let the name end in {endings}, not as “{file}” does.",
+              {{"formats", formats(&FigureFormat::name)},
+               {"endings", formats(&FigureFormat::ending)},
+               {"file", options.output}}));
+  if (auto problem = uselessOption(*choices.format, command))
+    return std::move(*problem);
+  const auto paper = paperSizeOf(options);
+  if (!paper)
+    return paper.problem();
+  const bool isMeasuredOnPaper =
+      command.count("--width") + command.count("--text") + command.count("--dpi") > 0;
+  if (isMeasuredOnPaper || choices.format->vectors)
+    choices.paper = *paper;
+  const Theme *theme = findTheme(options.theme);
+  if (!theme)
+    return refused(words("There is no theme “{theme}”. The themes are {themes}.",
+                         {{"theme", options.theme}, {"themes", themeNames(", ")}}));
+  choices.theme = *theme;
+  const auto hidden = meant(hiddenWords, options.hidden);
+  if (!hidden)
+    return refused(
+        words("--hidden takes dashed, paler or left-out, not “{hidden}”.", {{"hidden", options.hidden}}));
+  choices.hidden = *hidden;
+  const auto text = meant(textWords, options.text);
+  if (!text)
+    return refused(words("--svg-text takes shapes or letters, not “{text}”.", {{"text", options.text}}));
+  choices.text = *text;
+  choices.isCropped = options.isCropped;
+  choices.isTransparent = options.isTransparent;
+  return choices;
+}
+
+} // namespace halfspace

@@ -1,0 +1,48 @@
+#include "app/figures/figure_choices.h"
+
+#include "widgets/picture/design_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr double pointsPerInch = 72;
+
+std::vector<FigureFormat> allFormats() {
+  std::vector<FigureFormat> formats{{"PNG", ".png"}};
+  for (const ExportFormat &format : exportFormats())
+    formats.push_back({format.name, format.ending, &format});
+  return formats;
+}
+
+} // namespace
+
+const std::vector<FigureFormat> &figureFormats() {
+  static const std::vector<FigureFormat> formats = allFormats();
+  return formats;
+}
+
+const FigureFormat *figureFormatOf(const std::string &file) {
+  const std::string ending = endingOf(file);
+  if (ending.empty())
+    return &figureFormats().front();
+  const auto found = std::find_if(figureFormats().begin(), figureFormats().end(),
+                                  [&](const FigureFormat &format) { return format.ending == ending; });
+  return found == figureFormats().end() ? nullptr : &*found;
+}
+
+int PaperSize::pixelsAcross() const {
+  return std::max(1, static_cast<int>(std::lround(width / pointsPerInch * pixelsPerInch)));
+}
+
+View FigureChoices::frame() const {
+  if (!isOnPaper())
+    return {{}, size, ownPixelRatio(size)};
+  const PaperSize measured = paperSize();
+  return viewOnPaper(size, measured.width, measured.typeSize, theme,
+                     format->vectors ? drawingPixels : measured.pixelsAcross());
+}
+
+} // namespace halfspace

@@ -1,0 +1,152 @@
+#include "app/figures/figure_maker.h"
+
+#include "lessons/words.h"
+#include "widgets/carriers/carrier.h"
+#include "widgets/carriers/png_chunks.h"
+#include "widgets/exports/draw_flat.h"
+#include "widgets/exports/draw_shapes.h"
+#include "widgets/picture/drawn_box.h"
+#include "widgets/picture/labels/label_page.h"
+#include "widgets/scene/png.h"
+#include "widgets/typeset/flat_painter.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// The part of a picture in a box of whole pixels within it.
+RgbaImage partOf(const RgbaImage &picture, const PixelBox &box) {
+  const auto left = static_cast<std::ptrdiff_t>(box.low.x);
+  const auto top = static_cast<std::ptrdiff_t>(box.low.y);
+  RgbaImage part{static_cast<int>(box.extent().x), static_cast<int>(box.extent().y), {}};
+  part.rgba.reserve(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height) * 4);
+  for (std::ptrdiff_t row = top; row < top + part.height; ++row) {
+    const auto begin = picture.rgba.begin() + (row * picture.width + left) * 4;
+    part.rgba.insert(part.rgba.end(), begin, begin + std::ptrdiff_t(part.width) * 4);
+  }
+  return part;
+}
+
+Problem tooLarge() { return {words("There is not enough memory for this picture."), "", 0, ""}; }
+
+Result<DrawnPicture> flatPicture(const FlatPicture &flat, const View &view, const FigureChoices &choices,
+                                 const Typesetter &typesetter) {
+  try {
+    return DrawnPicture{
+        drawFlat(flat.seenFrom(view), choices.theme, view, choices.isTransparent, typesetter)};
+  } catch (const std::bad_alloc &) {
+    return tooLarge();
+  }
+}
+
+std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const Theme &theme,
+                                const LabelSetter &set) {
+  const SceneContent content = flat.seenFrom(view);
+  const auto labels = LabelPage().place(labelTexts(content, {}, theme, view),
+                                        obstaclesOf(content, std::nullopt, theme, view), set, view);
+  return drawnBox(flatShapes(content, theme, view),
+                  shapesOf(labels, theme.mutedInk, leaderWidth * view.pixelRatio), view.size);
+}
+
+} // namespace
+
+FigureMaker::FigureMaker(const Typesetter &typesetter)
+    : m_typesetter(typesetter), m_set(labelSetter(typesetter.fonts())), m_composer(m_set),
+      m_painter(labelSetter(typesetter.fonts()), labelPainter(typesetter)) {}
+
+Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureChoices &choices) {
+  FigureFile file;
+  if (const ExportFormat *vectors = choices.format->vectors) {
+    Drawing drawn = drawing(subject, choices);
+    file.leavesOutSurfaces = drawn.leavesOutSurfaces;
+    drawn.title = subject.title;
+    drawn.description = subject.description;
+    file.content = vectors->write(drawn, m_typesetter.fonts(), choices.text);
+  } else {
+    const auto drawn = picture(subject, choices);
+    if (!drawn)
+      return drawn.problem();
+    auto png = pngOf(*drawn);
+    if (!png)
+      return png.problem();
+    file.leavesOutSurfaces = drawn->leavesOutSurfaces;
+    file.content =
+        choices.paper ? withPixelDensity(std::move(*png), choices.paper->pixelsPerInch) : std::move(*png);
+  }
+  if (!subject.session.empty())
+    file.content = withSession(std::move(file.content), subject.session);
+  return file;
+}
+
+Result<DrawnPicture> FigureMaker::picture(const FigureSubject &subject, const FigureChoices &choices) {
+  const auto [view, page] = framingOf(subject, choices);
+  auto whole = [&, &view = view]() -> Result<DrawnPicture> {
+    if (subject.flat)
+      return flatPicture(*subject.flat, view, choices, m_typesetter);
+    PictureRequest request;
+    request.content = subject.content;
+    request.labelledLike = subject.framedLike;
+    request.camera = view.camera;
+    request.theme = choices.theme;
+    request.size = view.size;
+    request.transparent = choices.isTransparent;
+    request.pixelRatio = view.pixelRatio;
+    return m_painter.draw(request);
+  }();
+  if (!whole || page == view.box())
+    return whole;
+  return DrawnPicture{partOf(*whole, page), whole->leavesOutSurfaces};
+}
+
+Drawing FigureMaker::drawing(const FigureSubject &subject, const FigureChoices &choices) {
+  const auto [view, page] = framingOf(subject, choices);
+  const double pointsPerPixel = choices.paperSize().width / page.extent().x;
+  const PaperLook look{view.size.width * pointsPerPixel, choices.hidden, !choices.isTransparent};
+  Drawing whole = subject.flat ? flatDrawingOf(subject.flat->seenFrom(view), choices.theme, view, look, m_set)
+                               : drawingOf(shapesOf(subject, choices, view), look);
+  return partOf(std::move(whole), page.low * pointsPerPixel, page.extent() * pointsPerPixel);
+}
+
+Framing FigureMaker::framingOf(const FigureSubject &subject, const FigureChoices &choices) {
+  View view = choices.frame();
+  if (subject.flat)
+    view = subject.flat->fitted(std::move(view));
+  else
+    view.camera = subject.camera;
+  if (!choices.isCropped)
+    return wholeOf(view);
+  return croppedTo(view, [&](const View &seen) { return drawnOn(seen, subject, choices); });
+}
+
+std::optional<PixelBox> FigureMaker::drawnOn(const View &view, const FigureSubject &subject,
+                                             const FigureChoices &choices) {
+  if (subject.flat)
+    return flatBox(*subject.flat, view, choices.theme, m_set);
+  if (!subject.framedLike)
+    return drawnBox(shapesOf(subject, choices, view));
+  FigureSubject like = subject;
+  like.content = *std::exchange(like.framedLike, std::nullopt);
+  return drawnBox(shapesOf(like, choices, view));
+}
+
+const ShapeList &FigureMaker::shapesOf(const FigureSubject &subject, const FigureChoices &choices,
+                                       const View &view) {
+  m_composer.forgetLabels();
+  m_composer.setTheme(choices.theme);
+  m_composer.setBackgroundVisible(!choices.isTransparent);
+  m_composer.setView(view);
+  if (subject.framedLike) {
+    m_composer.setContent(*subject.framedLike);
+    m_composer.compose();
+  }
+  m_composer.setContent(subject.content);
+  return m_composer.compose();
+}
+
+} // namespace halfspace
