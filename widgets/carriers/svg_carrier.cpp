@@ -24,7 +24,11 @@ bool isSvg(std::string_view file) {
 }
 
 /// What the session's text begins with, in front of the base64.
-std::string sign() { return std::string(carriedName) + ":"; }
+std::string sign() {
+  std::string sign(carriedName);
+  sign.push_back(':'); // GCC 12 suspects `+` of reading beyond it
+  return sign;
+}
 
 std::string putIntoSvg(std::string picture, std::string_view session) {
   const auto end = picture.rfind("</svg>");
