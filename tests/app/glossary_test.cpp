@@ -65,6 +65,18 @@ private slots:
     search->setText("no such term");
     QCOMPARE(seenIn(termsOf(fixture)), QStringList());
     QVERIFY(!dialogOf(fixture)->findChild<QPushButton *>("termLesson")->isEnabled());
+    const auto *figure = dialogOf(fixture)->findChild<QLabel *>("termFigure");
+    QVERIFY2(figure->pixmap(Qt::ReturnByValue).isNull(), "of the term before");
+  }
+
+  void search_choosesTheTermThatIsCalledSo() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.action(QKeySequence("Ctrl+G"))->trigger();
+    dialogOf(fixture)->findChild<QLineEdit *>("termSearch")->setText("Normal");
+    QVERIFY2(seenIn(termsOf(fixture)).indexOf("normal") > 0,
+             "another term has the word, too, and stands before it");
+    QCOMPARE(termsOf(fixture).currentItem()->text(), QString("normal"));
   }
 
   void chosenTerm_staysSo_inAnotherTheme_andWithAnotherLesson() {

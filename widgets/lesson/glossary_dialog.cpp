@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace halfspace {
@@ -24,8 +24,17 @@ constexpr double figureHeight = 0.6;
 /// The size of the term above its meaning, in that of other words.
 constexpr double largeWords = 1.3;
 
-bool has(const GlossaryDialog::Entry &entry, const QString &words) {
-  return entry.term.contains(words, Qt::CaseInsensitive) || entry.also.contains(words, Qt::CaseInsensitive);
+/// How well words name an entry, from 0, the best; nothing where they do not.
+std::optional<int> rankOf(const GlossaryDialog::Entry &entry, const QString &words) {
+  if (entry.term.compare(words, Qt::CaseInsensitive) == 0)
+    return 0;
+  if (entry.also.split(", ").contains(words, Qt::CaseInsensitive))
+    return 1;
+  if (entry.term.startsWith(words, Qt::CaseInsensitive))
+    return 2;
+  const bool isSomewhere =
+      entry.term.contains(words, Qt::CaseInsensitive) || entry.also.contains(words, Qt::CaseInsensitive);
+  return isSomewhere ? std::optional(3) : std::nullopt;
 }
 
 } // namespace
@@ -93,23 +102,32 @@ void GlossaryDialog::open(const QString &term) {
 }
 
 void GlossaryDialog::search(const QString &words) {
-  int first = -1;
+  int best = -1;
+  std::optional<int> bestRank;
   for (int row = 0; row < m_list->count(); ++row) {
-    const bool isFound = has(m_entries[static_cast<std::size_t>(row)], words.trimmed());
-    m_list->item(row)->setHidden(!isFound);
-    if (isFound && first < 0)
-      first = row;
+    const auto rank = rankOf(m_entries[static_cast<std::size_t>(row)], words.trimmed());
+    m_list->item(row)->setHidden(!rank);
+    if (rank && (!bestRank || *rank < *bestRank)) {
+      best = row;
+      bestRank = rank;
+    }
   }
   const QListWidgetItem *chosen = m_list->currentItem();
-  if (!chosen || chosen->isHidden())
-    m_list->setCurrentRow(first);
+  const bool isNamed = !words.trimmed().isEmpty();
+  if (isNamed || !chosen || chosen->isHidden())
+    m_list->setCurrentRow(best);
 }
 
 void GlossaryDialog::showChosen() {
   const int row = m_list->currentRow();
   m_lesson->setEnabled(row >= 0);
-  if (row < 0)
+  m_lesson->setVisible(row >= 0);
+  if (row < 0) {
+    m_term->setText(tr("There is no such term."));
+    m_meaning->setWords({});
+    m_picture->clear();
     return;
+  }
   const auto place = static_cast<std::size_t>(row);
   const Entry &entry = m_entries[place];
   m_term->setText(entry.term);
