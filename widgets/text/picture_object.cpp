@@ -1,9 +1,9 @@
 #include "widgets/text/picture_object.h"
 
+#include "lessons/files/picture_bytes.h"
 #include "lessons/lesson/lesson_picture.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
-#include "widgets/text/picture_bytes.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>

@@ -1,7 +1,7 @@
 // Markdown with formulas as documents.
+#include "lessons/files/picture_bytes.h"
 #include "tests/widgets/text/as_written.h"
 #include "widgets/text/lesson_pictures.h"
-#include "widgets/text/picture_bytes.h"
 #include "widgets/text/picture_object.h"
 #include "widgets/text/rich_label.h"
 #include "widgets/text/unbroken.h"

@@ -1,4 +1,4 @@
-#include "widgets/text/picture_bytes.h"
+#include "lessons/files/picture_bytes.h"
 
 #include <algorithm>
 #include <array>
