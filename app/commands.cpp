@@ -114,7 +114,7 @@ int runComplete(const CompleteCommand &command) {
 }
 
 int runReadMesh(const ReadMeshCommand &command) {
-  boundThisProcess();
+  boundThisProcess(readingBounds);
   return serveMesh(command.file, STDOUT_FILENO);
 }
 

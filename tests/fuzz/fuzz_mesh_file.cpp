@@ -49,7 +49,7 @@ std::string served(const std::filesystem::path &file) {
   require(process >= 0);
   if (process == 0) {
     ::close(ends[0]);
-    boundThisProcess(memory, seconds);
+    boundThisProcess({memory, seconds});
     ::_exit(serveMesh(file, ends[1]));
   }
   ::close(ends[1]);
