@@ -58,7 +58,7 @@ bool isPath(const std::string &name) { return namesSession(name) || name.find('/
 } // namespace
 
 bool namesSession(const std::string &file) {
-  return file.ends_with(".halfspace") || file.ends_with(".md") || namesCarrier(file);
+  return file.ends_with(".halfspace") || file.ends_with(".md") || namesPicture(file);
 }
 
 bool namesFile(const LessonLibrary &library, const std::string &name) {

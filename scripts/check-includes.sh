@@ -22,7 +22,7 @@ lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/obje
 widgets/formula      : geometry lessons/* : HarfBuzz
 widgets/picture      : geometry geometry/search lessons/* widgets/formula
 widgets/scene        : geometry lessons/* widgets/formula widgets/picture : VTK OpenGL
-widgets/carriers     : geometry lessons/*
+widgets/carriers     : geometry lessons/* : Codes
 widgets/exports      : geometry lessons/* widgets/formula widgets/picture widgets/carriers : HarfBuzz
 widgets/mesh_files   : geometry geometry/search lessons/*
 widgets              : geometry geometry/search lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
@@ -58,7 +58,7 @@ grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \
     # The library of a header that is not everyone'"'"'s; "" for others.
     function libraryOf(header) {
       return header ~ /^(vtk|QVTK)/ ? "VTK" : header ~ /^Q/ ? "Qt" : header ~ /^embree/ ? "Embree" : \
-        header ~ /gmp/ ? "GMP" : header ~ /^hb/ ? "HarfBuzz" : header ~ /^(EGL|GL)\// ? "OpenGL" : \
+        header ~ /gmp/ ? "GMP" : header ~ /^hb/ ? "HarfBuzz" : header ~ /^(EGL|GL)\// ? "OpenGL" : header ~ /^(ZXing\/|qrencode|png\.h|turbojpeg)/ ? "Codes" : \
         header ~ /^yaml-cpp/ ? "YAML" : header ~ /^md4c/ ? "MD4C" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
     }
     {

@@ -76,8 +76,8 @@ void SessionFiles::askAndOpen() {
   if (!mayLeave())
     return;
   QString pictures;
-  for (const Carrier &carrier : carriers())
-    pictures += " *" + QString::fromStdString(carrier.ending);
+  for (const std::string &ending : pictureEndings())
+    pictures += " *" + QString::fromStdString(ending);
   const QString file = QFileDialog::getOpenFileName(
       &m_messages.window(), tr("Open"), {},
       tr("Sessions, pictures and lessons (%1)").arg("*.halfspace *.md" + pictures));

@@ -5,7 +5,9 @@
 #include "app/standard_streams.h"
 #include "app/work/known_file.h"
 #include "app/work/picture_export.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/carriers/qr/qr_code.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -168,6 +170,30 @@ private slots:
     QVERIFY(other.model().session() == before);
     QVERIFY(!other.window.files().file());
     QVERIFY(!other.window.files().hasChanges());
+  }
+
+  void photograph_ofACode_dropped_opensItsScene_andIsNoFileForSave() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("IMG_0001.JPG");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const auto code = qrCodeOf(writeSession(before));
+    QVERIFY(code);
+    const QSize paper = QSize(1, 1) * (code->side + 2 * quietModules);
+    QImage picture(paper, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    for (int row = 0; row < code->side; ++row)
+      for (int column = 0; column < code->side; ++column)
+        if (code->isDark(column, row))
+          picture.setPixelColor(column + quietModules, row + quietModules, Qt::black);
+    QVERIFY(picture.scaled(6 * paper).save(file));
+    WindowFixture other("ray-sphere");
+    QVERIFY(other.ready);
+    drop(other.window, file);
+    QTRY_COMPARE(other.model().lesson().id, std::string("signed-distance"));
+    QVERIFY(other.model().session() == before);
+    QVERIFY(!other.window.files().file());
   }
 
   void picture_withoutAScene_opened_saysSo_andLeavesTheSession() {

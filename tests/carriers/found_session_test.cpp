@@ -5,6 +5,7 @@
 #include "lessons/lesson/lesson_start.h"
 #include "lessons/scene/file/session_file.h"
 #include "tests/carriers/pictures.h"
+#include "tests/carriers/qr/photographing.h"
 #include "tests/program_test.h"
 
 namespace halfspace {
@@ -32,6 +33,37 @@ TEST_F(FindSession, InAFileOfItsOwnAndInEachPicture_IsTheSame_WhateverTheyAreCal
     EXPECT_TRUE(carried->session == session);
     EXPECT_EQ(carried->text, own->text);
   }
+}
+
+TEST_F(FindSession, InAPhotographOfItsCode_IsTheSame) {
+  const Session session = startOf(readLessons(LESSON_FOLDER).lessons.front());
+  const std::string text = writeSession(session);
+  const GreyImage image = test::drawn(*qrCodeOf(text));
+  for (const std::string &picture : {test::pngOf(image), test::jpegOf(image)}) {
+    const auto photographed = found(picture);
+    ASSERT_TRUE(photographed) << photographed.problem().text();
+    EXPECT_TRUE(photographed->isInPicture);
+    EXPECT_TRUE(photographed->session == session);
+    EXPECT_EQ(photographed->text, text);
+  }
+}
+
+TEST_F(FindSession, InAPictureThatCarriesOneAndShowsTheCodeOfAnother_IsTheOneThatItCarries) {
+  const LessonLibrary library = readLessons(LESSON_FOLDER);
+  const std::string carried = writeSession(startOf(library.lessons.front()));
+  const std::string shown = writeSession(startOf(library.lessons.back()));
+  const auto both = found(withSession(test::pngOf(test::drawn(*qrCodeOf(shown))), carried));
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->text, carried);
+}
+
+TEST_F(FindSession, InAPhotographWithoutACode_TellsHowToTakeOne) {
+  const auto none = found(test::jpegOf({40, 30, std::vector<std::uint8_t>(1200, 200)}));
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.problem().text(),
+            inFolder("file").string() +
+                ": No QR code is found in this picture. Photograph it from straight above, in "
+                "even light, and so near that it fills half of the picture.");
 }
 
 TEST_F(FindSession, ThatIsNone_IsRefusedAsInAFileOfItsOwn_WithTheFilesName) {

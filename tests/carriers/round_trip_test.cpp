@@ -102,12 +102,11 @@ TEST(CarrierOf, GoesByHowAFileBegins) {
   EXPECT_EQ(carrierOf("<html><body>no picture</body></html>"), nullptr);
 }
 
-TEST(NamesCarrier, GoesByTheEnding_WhateverItsCase) {
-  EXPECT_TRUE(namesCarrier("x.png"));
-  EXPECT_TRUE(namesCarrier("a/x.SVG"));
-  EXPECT_TRUE(namesCarrier("x.pdf"));
-  EXPECT_FALSE(namesCarrier("x.tex"));
-  EXPECT_FALSE(namesCarrier("png"));
+TEST(NamesPicture, GoesByTheEnding_WhateverItsCase) {
+  for (const char *file : {"x.png", "a/x.SVG", "x.pdf", "IMG_0001.JPG", "x.jpeg"})
+    EXPECT_TRUE(namesPicture(file)) << file;
+  for (const char *file : {"x.tex", "png", "x.gif", ""})
+    EXPECT_FALSE(namesPicture(file)) << file;
 }
 
 TEST(WithSession, InAFormatThatCarriesNone_LeavesItAsItIs) {

@@ -1,5 +1,7 @@
 #include "widgets/carriers/carrier.h"
 
+#include "widgets/carriers/qr/photograph.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -14,12 +16,20 @@ const Carrier *carrierOf(std::string_view file) {
   return nullptr;
 }
 
-bool namesCarrier(const std::string &file) {
+std::vector<std::string> pictureEndings() {
+  std::vector<std::string> endings;
+  for (const Carrier &carrier : carriers())
+    endings.push_back(carrier.ending);
+  endings.insert(endings.end(), photographEndings.begin(), photographEndings.end());
+  return endings;
+}
+
+bool namesPicture(const std::string &file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return std::any_of(carriers().begin(), carriers().end(),
-                     [&](const Carrier &carrier) { return carrier.ending == ending; });
+  const std::vector<std::string> endings = pictureEndings();
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
 std::string withSession(std::string picture, std::string_view session) {

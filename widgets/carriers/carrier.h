@@ -31,8 +31,12 @@ struct Carrier {
 /// That of a file, by how it begins, whatever it is called; null for none of them.
 [[nodiscard]] const Carrier *carrierOf(std::string_view file);
 
-/// Whether a file's name ends as that of a picture which can carry a session.
-[[nodiscard]] bool namesCarrier(const std::string &file);
+/// How the files end that may hold the session of a picture, with dots, in small letters: those of all
+/// carriers, and photographs, in which a QR code is looked for.
+[[nodiscard]] std::vector<std::string> pictureEndings();
+
+/// Whether a file's name ends as one of these, whatever its case.
+[[nodiscard]] bool namesPicture(const std::string &file);
 
 /// A picture of this program with the text of a session in it; of a format that carries none it stays as it
 /// is.

@@ -3,23 +3,38 @@
 #include "lessons/files/read_file.h"
 #include "lessons/scene/file/session_file.h"
 #include "widgets/carriers/carrier.h"
+#include "widgets/carriers/qr/grey_image.h"
+#include "widgets/carriers/qr/photograph.h"
 
 #include <utility>
 
 namespace halfspace {
+namespace {
+
+/// What a picture of a format with room for a session has in that, and otherwise its QR code.
+Result<std::string> sessionInPicture(const std::string &picture) {
+  const Carrier *carrier = carrierOf(picture);
+  auto carried = carrier ? carrier->take(picture) : noCode();
+  if (carried || !isPixelPicture(picture))
+    return carried;
+  auto photographed = sessionInPhotograph(picture);
+  return photographed ? std::move(*photographed) : std::move(carried);
+}
+
+} // namespace
 
 Result<FoundSession> findSession(const std::filesystem::path &file) {
   auto content = readFile(file, mostPictureBytes);
   if (!content)
     return content.problem();
-  const Carrier *carrier = carrierOf(*content);
-  auto text = carrier ? carrier->take(*content) : std::move(content);
+  const bool isPicture = carrierOf(*content) || isPixelPicture(*content);
+  auto text = isPicture ? sessionInPicture(*content) : std::move(content);
   if (!text)
     return Problem{text.problem().sentence, file.string(), 0, ""};
   auto session = readSession(*text, file.string());
   if (!session)
     return session.problem();
-  return FoundSession{std::move(*session), std::move(*text), carrier != nullptr};
+  return FoundSession{std::move(*session), std::move(*text), isPicture};
 }
 
 } // namespace halfspace

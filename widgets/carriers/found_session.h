@@ -1,4 +1,4 @@
-// The session in a file, which is one itself or a picture that carries one.
+// The session in a file, which is one itself, a picture that carries one, or a photograph of its QR code.
 #pragma once
 
 #include "lessons/result.h"
@@ -20,7 +20,8 @@ struct FoundSession {
 };
 
 /// Reads a .halfspace file or a picture, which is told by how it begins. From a stranger's hands: the session
-/// in a picture is read as that in a file of its own, within the same limits.
+/// in a picture is read as that in a file of its own, within the same limits. In pictures of pixels that
+/// carry none a QR code is looked for.
 [[nodiscard]] Result<FoundSession> findSession(const std::filesystem::path &file);
 
 } // namespace halfspace
