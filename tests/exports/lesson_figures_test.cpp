@@ -1,9 +1,13 @@
 // Every step of every lesson in every format; what other programs find in the files.
+#include "lessons/lesson/lesson_start.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/exports/lesson_drawings.h"
 #include "tests/program_test.h"
 #include "tests/test_name.h"
+#include "widgets/carriers/found_session.h"
 #include "widgets/exports/format.h"
 #include "widgets/exports/pdf_writer.h"
+#include "widgets/exports/qr_beside.h"
 #include "widgets/exports/svg_writer.h"
 #include "widgets/exports/tikz_writer.h"
 
@@ -106,6 +110,26 @@ TEST_P(LessonFigures, AsTikz_AreTakenByLatex) {
   write("figure.tex", tikzOf(drawingOfStep(lesson, lesson.steps.back())));
   const Ran ran = shell("pdflatex -interaction=nonstopmode -halt-on-error figure.tex >.out 2>.err");
   EXPECT_EQ(ran.status, 0) << ran.out.substr(ran.out.size() - std::min<std::size_t>(ran.out.size(), 2000));
+}
+
+TEST_P(LessonFigures, WithTheirCode_AreReadAsOtherProgramsDrawThem) {
+  if (!has("rsvg-convert") || !has("pdftoppm"))
+    GTEST_SKIP() << "rsvg-convert or pdftoppm is not installed";
+  const Lesson &lesson = *library().find(GetParam());
+  const std::string session = writeSession(startOf(lesson));
+  const Drawing drawing = withQrCode(drawingOfStep(lesson, lesson.steps.back()), *qrCodeOf(session));
+  write("figure.svg", svgOf(drawing, math::fonts()));
+  write("figure.pdf", pdfOf(drawing, math::fonts()));
+  for (const char *program : {"rsvg-convert --zoom 2 figure.svg -o figure.png",
+                              "pdftoppm -r 200 -png -singlefile figure.pdf figure"}) {
+    SCOPED_TRACE(program);
+    std::filesystem::remove(inFolder("figure.png"));
+    const Ran ran = shell(std::string(program) + " >.out 2>.err");
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    const auto found = findSession(inFolder("figure.png"));
+    ASSERT_TRUE(found) << found.problem().sentence;
+    EXPECT_EQ(found->text, session);
+  }
 }
 
 TEST(FormatOfFile, GoesByTheEnding_WhateverItsCase) {

@@ -1,0 +1,24 @@
+// The QR code of a figure's session beside the figure.
+#pragma once
+
+#include "widgets/carriers/qr/qr_code.h"
+#include "widgets/exports/drawing.h"
+#include "widgets/picture/rgba_image.h"
+
+namespace halfspace {
+
+/// Where the page grows: by the code with its quiet zone, and more where the figure is narrower or lower than
+/// the code. The code stands at the bottom, or at the left.
+enum class QrPlace { RightOfFigure, BelowFigure };
+
+/// The drawing with a code, whose modules are `moduleMillimetres` wide, and its description with a sentence
+/// that tells of it. The code is black on white, whatever the page is painted with.
+[[nodiscard]] Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place = QrPlace::RightOfFigure);
+
+/// The image with a code. Its modules are whole pixels wide: as many as make them at least
+/// `moduleMillimetres` at so many pixels an inch, which is above 0. What the image grows by beside the code
+/// has the colour of the ground, or is clear where there is none.
+[[nodiscard]] RgbaImage withQrCode(const RgbaImage &image, const QrCode &code, double pixelsPerInch,
+                                   std::optional<Color> ground, QrPlace place = QrPlace::RightOfFigure);
+
+} // namespace halfspace
