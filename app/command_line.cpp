@@ -141,9 +141,11 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
   addFigureOptions(*render, arguments.figure);
-  render->add_flag("--anonymous", command.anonymous,
-                   words("Leave the scene out of the file: {endings} can be opened again with it",
-                         {{"endings", carrierEndings(", ")}}));
+  render
+      ->add_flag("--anonymous", command.anonymous,
+                 words("Leave the scene out of the file: {endings} can be opened again with it",
+                       {{"endings", carrierEndings(", ")}}))
+      ->excludes(render->get_option("--qr"));
   render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
   render
       ->add_option("--step", arguments.step,
@@ -157,7 +159,7 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
       ->add_option("--frames", arguments.frames,
                    words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
       ->type_name("A:B")
-      ->excludes(frame);
+      ->excludes(frame, render->get_option("--qr")); // of which one may be larger than another
   return render;
 }
 

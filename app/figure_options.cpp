@@ -177,6 +177,9 @@ void addFigureOptions(CLI::App &command, FigureOptions &options) {
                   words("How SVG has its text: as shapes, which look the same everywhere, or as letters"))
       ->type_name("shapes|letters")
       ->capture_default_str();
+  command.add_flag(
+      "--qr", options.hasCode,
+      words("A QR code beside it holds its scene: a photograph of the printed figure can be opened again"));
 }
 
 Result<FigureChoices> choicesOf(const FigureOptions &options, const CLI::App &command) {
@@ -218,6 +221,7 @@ Result<FigureChoices> choicesOf(const FigureOptions &options, const CLI::App &co
   choices.text = *text;
   choices.isCropped = options.isCropped;
   choices.isTransparent = options.isTransparent;
+  choices.hasCode = options.hasCode;
   return choices;
 }
 

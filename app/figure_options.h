@@ -22,6 +22,7 @@ struct FigureOptions {
   std::string text = "shapes";
   bool isCropped = false;
   bool isTransparent = false;
+  bool hasCode = false;
 };
 
 /// Lets a command take them.

@@ -37,6 +37,10 @@ int PaperSize::pixelsAcross() const {
   return std::max(1, static_cast<int>(std::lround(width / pointsPerInch * pixelsPerInch)));
 }
 
+double FigureChoices::pixelsPerInch() const {
+  return paper ? paper->pixelsPerInch : size.width / PaperSize().width * pointsPerInch;
+}
+
 View FigureChoices::frame() const {
   if (!isOnPaper())
     return {{}, size, ownPixelRatio(size)};

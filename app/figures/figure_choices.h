@@ -48,9 +48,12 @@ struct FigureChoices {
   bool isTransparent = false; ///< without a background
   HiddenLines hidden = HiddenLines::Dashed;
   TextAs text = TextAs::Shapes; ///< where the format leaves the choice
+  bool hasCode = false;         ///< a QR code of the session, where there is one, stands beside it
 
   [[nodiscard]] bool isOnPaper() const { return paper || format->vectors; }
   [[nodiscard]] PaperSize paperSize() const { return paper.value_or(PaperSize()); }
+  /// Of a figure of pixels; of one that is not measured on paper, as if it were printed as wide as usual.
+  [[nodiscard]] double pixelsPerInch() const;
   /// The view that the figure is composed on, still without its camera.
   [[nodiscard]] View frame() const;
 };

@@ -5,6 +5,7 @@
 #include "widgets/carriers/png_chunks.h"
 #include "widgets/exports/draw_flat.h"
 #include "widgets/exports/draw_shapes.h"
+#include "widgets/exports/qr_beside.h"
 #include "widgets/picture/drawn_box.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/scene/png.h"
@@ -31,6 +32,19 @@ RgbaImage partOf(const RgbaImage &picture, const PixelBox &box) {
     part.rgba.insert(part.rgba.end(), begin, begin + std::ptrdiff_t(part.width) * 4);
   }
   return part;
+}
+
+/// The code beside a figure; nothing where there is to be none.
+Result<std::optional<QrCode>> codeOf(const FigureSubject &subject, const FigureChoices &choices) {
+  if (!choices.hasCode || subject.session.empty())
+    return std::optional<QrCode>();
+  auto code = qrCodeOf(subject.session);
+  return code ? Result(std::optional(std::move(*code))) : code.problem();
+}
+
+RgbaImage withCode(const RgbaImage &picture, const QrCode &code, const FigureChoices &choices) {
+  const auto ground = choices.isTransparent ? std::nullopt : std::optional(choices.theme.backgroundBottom);
+  return withQrCode(picture, code, choices.pixelsPerInch(), ground);
 }
 
 Problem tooLarge() { return {words("There is not enough memory for this picture."), "", 0, ""}; }
@@ -61,18 +75,26 @@ FigureMaker::FigureMaker(const Typesetter &typesetter)
       m_painter(labelSetter(typesetter.fonts()), labelPainter(typesetter)) {}
 
 Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureChoices &choices) {
+  const auto code = codeOf(subject, choices);
+  if (!code)
+    return code.problem();
   FigureFile file;
   if (const ExportFormat *vectors = choices.format->vectors) {
     Drawing drawn = drawing(subject, choices);
     file.leavesOutSurfaces = drawn.leavesOutSurfaces;
     drawn.title = subject.title;
     drawn.description = subject.description;
+    if (*code)
+      drawn = withQrCode(std::move(drawn), **code);
     file.content = vectors->write(drawn, m_typesetter.fonts(), choices.text);
   } else {
-    const auto drawn = picture(subject, choices);
+    auto drawn = picture(subject, choices);
     if (!drawn)
       return drawn.problem();
-    auto png = pngOf(*drawn);
+    RgbaImage &image = *drawn;
+    if (*code)
+      image = withCode(image, **code, choices);
+    auto png = pngOf(image);
     if (!png)
       return png.problem();
     file.leavesOutSurfaces = drawn->leavesOutSurfaces;

@@ -44,6 +44,70 @@ TEST_F(ReopenedPicture, DrawnAnonymously_HoldsNothing) {
   }
 }
 
+TEST_F(ReopenedPicture, WithItsCode_IsReadOffItsPixels) {
+  const std::string scene = "signed-distance --set Q=1,2/3,1 ";
+  const std::string explanation = run("explain " + scene).out;
+  for (const std::string measured : {"", "--width 8cm --dpi 150", "--theme dark --transparent"}) {
+    SCOPED_TRACE(measured);
+    EXPECT_EQ(run("render " + scene + "--step 2 --qr " + measured + " -o a.png").status, 0);
+    for (const std::string scan : {"scan.jpg", "scan.png"}) {
+      const QImage drawn = picture("a.png").convertToFormat(QImage::Format_RGB888);
+      // Nothing but pixels goes along.
+      const QImage pixels(drawn.constBits(), drawn.width(), drawn.height(),
+                          static_cast<int>(drawn.bytesPerLine()), drawn.format());
+      EXPECT_TRUE(pixels.save(inFolder(scan).c_str()));
+      EXPECT_EQ(file(scan).find("halfspace-session"), std::string::npos);
+      const Ran explained = run("explain " + scan);
+      EXPECT_EQ(explained.status, 0) << explained.err;
+      EXPECT_EQ(explained.out, explanation);
+    }
+  }
+  EXPECT_EQ(run("render scan.jpg -o again.svg").status, 0);
+  EXPECT_EQ(run("render " + scene + "--step 2 -o first.svg").status, 0);
+  EXPECT_EQ(file("again.svg"), file("first.svg"));
+}
+
+TEST_F(ReopenedPicture, WithItsCode_IsWiderByIt_InEveryFormat) {
+  EXPECT_EQ(run("render signed-distance --qr -o a.png").status, 0);
+  const QImage with = picture("a.png");
+  EXPECT_GT(with.width(), 1800);
+  EXPECT_EQ(with.height(), 1000);
+  for (const std::string format : {"svg", "pdf", "tex"}) {
+    EXPECT_EQ(run("render signed-distance -o without." + format).status, 0);
+    EXPECT_EQ(run("render signed-distance --qr -o with." + format).status, 0);
+    EXPECT_GT(file("with." + format).size(), file("without." + format).size() + 1000);
+  }
+  EXPECT_NE(file("with.svg").find("The QR code beside the figure holds its scene"), std::string::npos);
+}
+
+TEST_F(ReopenedPicture, ThatIsToHaveACodeAndNoScene_IsRefused) {
+  expectRefused("render signed-distance --qr --anonymous -o a.png", "--anonymous excludes --qr");
+}
+
+TEST_F(ReopenedPicture, OfFramesWithTheirCodes_IsRefused_ForTheyWouldDifferInSize) {
+  expectRefused("render photon-torpedo --qr --frames 0:3 -o %02d.png", "--frames excludes --qr");
+}
+
+TEST_F(ReopenedPicture, OfASceneThatIsTooLongForACode_IsRefused_AndNothingIsWritten) {
+  nlohmann::json session = nlohmann::json::parse(
+      R"({"format": "halfspace", "version": 4, "lesson": "signed-distance", "step": 0})");
+  for (int i = 0; i < 300; ++i)
+    session["scene"].push_back(
+        {{"name", "P" + std::to_string(i)},
+         {"point", {std::to_string(i * 7919 % 1009), std::to_string(i * 104729 % 997), "0"}}});
+  write("long.halfspace", session.dump());
+  expectRefused("render long.halfspace --qr -o a.png", "too long for a QR code");
+  EXPECT_FALSE(std::filesystem::exists(inFolder("a.png")));
+}
+
+TEST_F(ReopenedPicture, OfAPhotographWithoutACode_SaysHowToTakeOne) {
+  QImage plain(60, 40, QImage::Format_RGB888);
+  plain.fill(Qt::gray);
+  EXPECT_TRUE(plain.save(inFolder("IMG_1.JPG").c_str()));
+  expectRefused("explain IMG_1.JPG", "No QR code is found in this picture");
+  expectRefused("IMG_1.JPG", "No QR code is found in this picture");
+}
+
 TEST_F(ReopenedPicture, ThatIsDamaged_IsRefusedInASentence) {
   EXPECT_EQ(run("render signed-distance -o a.png").status, 0);
   std::string png = file("a.png");
