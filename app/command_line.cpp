@@ -21,8 +21,6 @@ namespace {
 
 /// Frames are counted up to here, which is more than anybody draws.
 constexpr int highestFrame = 999'999;
-/// Of a number in a file's name.
-constexpr int mostDigits = 9;
 
 std::string summary() {
   return words("drag planes, points, rays and triangles, and read the exact working live");
@@ -47,20 +45,6 @@ std::optional<std::pair<int, int>> parseFrames(std::string_view text) {
   if (!first || !last || *last < *first)
     return {};
   return std::pair(*first, *last);
-}
-
-/// frames/%04d.png, or with %d; nothing where it has no such place or several.
-std::optional<NumberedFile> parseNumberedFile(const std::string &file) {
-  const auto percent = file.find('%');
-  const auto end = file.find_first_not_of("0123456789", percent + 1);
-  if (percent == std::string::npos || end == std::string::npos || file[end] != 'd' ||
-      file.find('%', end) != std::string::npos)
-    return {};
-  const auto digits = parseFrame(std::string_view(file).substr(percent + 1, end - percent - 1));
-  if (end > percent + 1 && (!digits || *digits > mostDigits))
-    return {};
-  return NumberedFile{file.substr(0, percent), static_cast<std::size_t>(digits.value_or(1)),
-                      file.substr(end + 1)};
 }
 
 /// Those of pictures that can be opened again.

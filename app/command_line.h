@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/figures/figure_choices.h"
+#include "lessons/files/numbered_file.h"
 
 #include <optional>
 #include <string>
@@ -43,13 +44,6 @@ struct ExplainCommand {
   std::vector<std::string> assignments; ///< name=value
   std::string format = "text";          ///< text, latex, mathml or json
   OwnLessons ownLessons{};
-};
-
-/// A file's name with a number in it: frames/%04d.png.
-struct NumberedFile {
-  std::string before;
-  std::size_t digits = 0; ///< at least so many
-  std::string behind;
 };
 
 struct RenderCommand {

@@ -14,7 +14,6 @@
 #include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/typeset/typesetter.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -150,13 +149,6 @@ Rational goToFrame(const Rational &wanted, const std::string &name, Scene &scene
   const Rational frame = number[0].x;
   setObject(scene, name, std::move(number));
   return frame;
-}
-
-/// frames/0007.png for the frame 7 of frames/%04d.png.
-std::string fileOf(const NumberedFile &file, int frame) {
-  std::string digits = std::to_string(frame);
-  digits.insert(0, file.digits - std::min(file.digits, digits.size()), '0');
-  return file.before + digits + file.behind;
 }
 
 /// Draws and writes one frame after the other.
