@@ -38,9 +38,12 @@ HeldSignals::~HeldSignals() {
       ::sigaction(held[i], &m_before[i], nullptr);
   }
   const int signal = waiting;
+  waiting = 0;
   isHeld.clear();
   if (signal != 0)
     ::raise(signal);
 }
+
+bool HeldSignals::isOneWaiting() { return waiting != 0; }
 
 } // namespace halfspace

@@ -15,6 +15,9 @@ public:
   HeldSignals(const HeldSignals &) = delete;
   HeldSignals &operator=(const HeldSignals &) = delete;
 
+  /// Whether one has come and waits.
+  [[nodiscard]] static bool isOneWaiting();
+
 private:
   static constexpr std::array held{SIGINT, SIGTERM, SIGHUP};
   bool m_isHolding = false;

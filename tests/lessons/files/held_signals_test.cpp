@@ -24,7 +24,9 @@ private:
 TEST_F(HeldSignalsTest, OneThatComesMeanwhile_DoesItsWorkAfterwards) {
   {
     const HeldSignals held;
+    EXPECT_FALSE(held.isOneWaiting());
     std::raise(SIGTERM);
+    EXPECT_TRUE(held.isOneWaiting());
     EXPECT_EQ(noted, 0);
   }
   EXPECT_EQ(noted, SIGTERM);
