@@ -4,9 +4,9 @@
 #include "app/lessons_folder.h"
 #include "app/new_lesson.h"
 #include "app/standard_streams.h"
+#include "app/subject_opener.h"
 #include "lessons/construction/reference.h"
 #include "lessons/scene/file/explain_formats.h"
-#include "lessons/scene/file/session_file.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
@@ -21,52 +21,19 @@ namespace {
 /// What was asked for was done, and found something.
 constexpr int exitProblems = 1;
 
-/// The lesson of this program with an id: its file is named by it. Nothing where there is none, or where it
-/// cannot be read.
-std::optional<Lesson> lessonOfOurs(const std::string &id) {
-  if (id.empty() || id.find('/') != std::string::npos)
-    return {};
-  auto lesson = readLesson(lessonsFolder() / (id + ".md"));
-  return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
-}
-
-/// All lessons of the program and of a teacher; what is wrong with some is told.
-LessonLibrary openLibrary(const OwnLessons &own) {
-  LessonLibrary library = allLessons(own);
-  for (const Problem &problem : library.problems)
-    printError(problem.text());
-  return library;
-}
-
-/// Gives coordinates their values.
-Result<OpenedSession> withValues(OpenedSession opened, const std::vector<std::string> &assignments) {
-  for (const std::string &assignment : assignments) {
-    auto changed = withValue(std::move(opened.session), assignment);
-    if (!changed)
-      return changed.problem();
-    opened.session = std::move(*changed);
-  }
-  return opened;
-}
-
 } // namespace
 
 Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &subject, const OwnLessons &own,
                                   const std::vector<std::string> &assignments) {
-  auto opened = openSession(library, subject, [&own](const std::string &id, LessonLibrary &lessons) {
-    if (auto lesson = lessonOfOurs(id))
-      lessons.lessons.push_back(std::move(*lesson));
-    else
-      lessons = openLibrary(own);
-  });
+  auto opened = SubjectOpener(own).open(subject, library);
   return opened ? withValues(std::move(*opened), assignments) : opened;
 }
 
 int runLessons(const LessonsCommand &command) {
-  const LessonLibrary library = openLibrary(command.ownLessons);
+  SubjectOpener opener(command.ownLessons);
   auto list = nlohmann::ordered_json::array();
   std::string lines;
-  for (const Lesson &lesson : library.lessons) {
+  for (const Lesson &lesson : opener.all().lessons) {
     const std::string title = printable(lesson.title);
     auto sources = nlohmann::ordered_json::array();
     for (const std::string &source : lesson.sources)
