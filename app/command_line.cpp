@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "app/batch_options.h"
 #include "app/completion.h"
 #include "app/figure_options.h"
 #include "app/manual_page.h"
@@ -70,6 +71,7 @@ struct Arguments {
   std::string frame;
   std::string frames;
   FigureOptions figure;
+  BatchOptions batch;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -79,16 +81,20 @@ void addOwnLessons(CLI::App &app, OwnLessons &folders) {
       ->take_all();
 }
 
-void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
-  app.add_option("subject", subject,
-                 words("A lesson's id, its .md file, a .halfspace file or a picture with a scene"))
-      ->type_name("LESSON|FILE")
-      ->required();
+void addAssignments(CLI::App &app, std::vector<std::string> &assignments) {
   app.add_option("--set", assignments,
                  words("Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)"))
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false) // one value each time: what follows it is another word
       ->take_all();
+}
+
+void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
+  app.add_option("subject", subject,
+                 words("A lesson's id, its .md file, a .halfspace file or a picture with a scene"))
+      ->type_name("LESSON|FILE")
+      ->required();
+  addAssignments(app, assignments);
 }
 
 /// What stands without a command.
@@ -123,7 +129,12 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   auto *render = app.add_subcommand(
       "render", words("Draw the figure as a picture, of pixels or of vectors; needs no display"));
   RenderCommand &command = arguments.render;
-  addSubject(*render, command.subject, command.assignments);
+  render
+      ->add_option(
+          "subject", command.subjects,
+          words("A lesson's id, its .md file, a .halfspace file or a picture with a scene, or several"))
+      ->type_name("LESSON|FILE");
+  addAssignments(*render, command.assignments);
   addFigureOptions(*render, arguments.figure);
   render
       ->add_flag("--anonymous", command.anonymous,
@@ -131,48 +142,64 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
                        {{"endings", carrierEndings(", ")}}))
       ->excludes(render->get_option("--qr"));
   render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
-  render
-      ->add_option("--step", arguments.step,
-                   words("The lesson's step to show, counted from 1; without it that of a session, the "
-                         "whole figure of a lesson, or, for frames, the last step with the flight"))
-      ->type_name("NUMBER");
+  auto *step =
+      render
+          ->add_option("--step", arguments.step,
+                       words("The lesson's step to show, counted from 1; without it that of a session, the "
+                             "whole figure of a lesson, or, for frames, the last step with the flight"))
+          ->type_name("NUMBER");
   auto *frame =
       render->add_option("--frame", arguments.frame, words("A frame of the lesson's flight, counted from 0"))
           ->type_name("NUMBER");
-  render
-      ->add_option("--frames", arguments.frames,
-                   words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
-      ->type_name("A:B")
-      ->excludes(frame, render->get_option("--qr")); // of which one may be larger than another
+  auto *frames =
+      render
+          ->add_option("--frames", arguments.frames,
+                       words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
+          ->type_name("A:B")
+          ->excludes(frame, render->get_option("--qr")); // of which one may be larger than another
+  addBatchOptions(*render, arguments.batch)->excludes(step)->excludes(frame)->excludes(frames);
   return render;
+}
+
+/// The frames that are asked for; nothing where none are.
+Result<std::optional<std::pair<int, int>>> framesOf(const Arguments &arguments, const CLI::App &render) {
+  const bool framesGiven = render.count("--frames") > 0;
+  if (!framesGiven && render.count("--frame") == 0)
+    return std::optional<std::pair<int, int>>();
+  const std::string &typed = framesGiven ? arguments.frames : arguments.frame;
+  const auto frames = parseFrames(typed);
+  if (!frames || (!framesGiven && frames->first != frames->second))
+    return Problem{
+        words(
+            "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “{frames}”.",
+            {{"frames", typed}}),
+        "", 0, ""};
+  return frames;
 }
 
 /// `render` is where the arguments come from.
 Command finishRender(const Arguments &arguments, const CLI::App &render) {
-  const bool stepGiven = render.count("--step") > 0;
-  const bool framesGiven = render.count("--frames") > 0;
   RenderCommand command = arguments.render;
-  const auto choices = choicesOf(arguments.figure, render);
-  if (!choices)
-    return complaint(choices.problem().sentence);
-  command.choices = *choices;
-  command.output = arguments.figure.output;
+  const auto frames = framesOf(arguments, render);
+  if (!frames)
+    return complaint(frames.problem().sentence);
+  command.frames = *frames;
+  for (const std::string &output : arguments.figure.outputs) {
+    const auto choices = choicesOf(output, arguments.figure, render);
+    if (!choices)
+      return complaint(choices.problem().sentence);
+    const auto name = OutputName::parse(output, command.frames.has_value());
+    if (!name)
+      return complaint(name.problem().sentence);
+    command.outputs.push_back({*name, *choices});
+  }
+  const bool stepGiven = render.count("--step") > 0;
   if (stepGiven && arguments.step < 1)
     return complaint(words("--step counts from 1."));
-  if (framesGiven || render.count("--frame") > 0) {
-    const std::string &frames = framesGiven ? arguments.frames : arguments.frame;
-    command.frames = parseFrames(frames);
-    if (!command.frames || (!framesGiven && command.frames->first != command.frames->second))
-      return complaint(words(
-          "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “{frames}”.",
-          {{"frames", frames}}));
-    command.numbered = parseNumberedFile(command.output);
-    if (!command.numbered && command.frames->first != command.frames->second)
-      return complaint(
-          words("Several frames need a place for their number in the file's name: -o frames/%04d.png."));
-  }
   if (stepGiven)
-    command.step = arguments.step;
+    command.steps = {arguments.step};
+  if (const auto problem = takeBatchOptions(arguments.batch, render, command))
+    return complaint(problem->sentence);
   return command;
 }
 

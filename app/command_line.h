@@ -1,8 +1,8 @@
 // The command line: what was asked for, before anything is done about it.
 #pragma once
 
+#include "app/batch/figure_plan.h"
 #include "app/figures/figure_choices.h"
-#include "lessons/files/numbered_file.h"
 
 #include <optional>
 #include <string>
@@ -46,18 +46,29 @@ struct ExplainCommand {
   OwnLessons ownLessons{};
 };
 
-struct RenderCommand {
-  std::string subject;
-  std::vector<std::string> assignments;
-  std::string output;
+/// A file of each figure, or of several formats.
+struct FigureOutput {
+  OutputName name;
   FigureChoices choices{};
+};
+
+struct RenderCommand {
+  std::vector<std::string> subjects;
+  bool allLessons = false; ///< in the place of subjects
+  std::vector<std::string> assignments;
+  std::vector<FigureOutput> outputs; ///< at least one
   OwnLessons ownLessons{};
-  bool anonymous = false;    ///< without the session, with which the picture could be opened again
-  bool flat = false;         ///< the lesson's flat picture in the place of the one in space
-  std::optional<int> step{}; ///< counted from 1, as the window counts; nothing: that of a session's file, the
-                             ///< whole figure of a lesson, or, of frames, the flight's step
+  bool anonymous = false; ///< without the session, with which the picture could be opened again
+  bool flat = false;      ///< the lesson's flat picture in the place of the one in space
+  /// Counted from 1, as the window counts, a figure each; none: that of a session's file, the whole figure of
+  /// a lesson, or, of frames, the flight's step.
+  std::vector<int> steps{};
+  bool eachStep = false;                       ///< all that a lesson has
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
-  std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
+  std::optional<std::string> rowsFile{};       ///< with values, a row for each figure
+  bool onlyChanged = false;                    ///< figures that are there as they would be made stay
+  std::string options{};                       ///< all that were given or are usual, on which looks depend
+  Shard shard{};
 };
 
 struct EvalCommand {

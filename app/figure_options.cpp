@@ -121,14 +121,24 @@ Result<PaperSize> paperSizeOf(const FigureOptions &options) {
   return PaperSize{*width, *typeSize, *pixels};
 }
 
-/// A sentence where an option is given that a format has no use for.
-std::optional<Problem> uselessOption(const FigureFormat &format, const CLI::App &command) {
+/// A sentence where an option is given that none of the formats has a use for.
+std::optional<Problem> uselessOption(const FigureFormat &format, const FigureOptions &options,
+                                     const CLI::App &command) {
   const auto isGiven = [&](const char *option) { return command.count(option) > 0; };
-  if (isGiven("--hidden") && !format.vectors)
+  const auto isAny = [&](const auto &isOne) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(), [&](const std::string &output) {
+      const FigureFormat *each = figureFormatOf(output);
+      return each && isOne(*each);
+    });
+  };
+  const auto isOfVectors = [](const FigureFormat &each) { return each.vectors != nullptr; };
+  const auto isOfPixels = [](const FigureFormat &each) { return !each.vectors; };
+  const auto choosesText = [](const FigureFormat &each) { return each.vectors && each.vectors->choosesText; };
+  if (isGiven("--hidden") && !isAny(isOfVectors))
     return refused(words("--hidden is for figures of vectors: in a PNG picture what is hidden is paler."));
-  if (isGiven("--dpi") && format.vectors)
+  if (isGiven("--dpi") && !isAny(isOfPixels))
     return refused(words("--dpi is for PNG pictures: a figure of vectors has no pixels."));
-  if (isGiven("--svg-text") && !(format.vectors && format.vectors->choosesText))
+  if (isGiven("--svg-text") && !isAny(choosesText))
     return refused(
         words("--svg-text is for SVG: {format} has its own way with text.", {{"format", format.name}}));
   return {};
@@ -138,10 +148,12 @@ std::optional<Problem> uselessOption(const FigureFormat &format, const CLI::App 
 
 void addFigureOptions(CLI::App &command, FigureOptions &options) {
   command
-      .add_option("-o,--output", options.output,
-                  words("The file to write; its ending says how: {endings}",
+      .add_option("-o,--output", options.outputs,
+                  words("The file to write; its ending says how: {endings} (can be repeated)",
                         {{"endings", formats(&FigureFormat::ending)}}))
       ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->take_all()
       ->required();
   command
       .add_option("--size", options.size,
@@ -182,21 +194,22 @@ void addFigureOptions(CLI::App &command, FigureOptions &options) {
       words("A QR code beside it holds its scene: a photograph of the printed figure can be opened again"));
 }
 
-Result<FigureChoices> choicesOf(const FigureOptions &options, const CLI::App &command) {
+Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,
+                                const CLI::App &command) {
   FigureChoices choices;
   const auto size = parseSize(options.size);
   if (!size)
     return refused(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
                          {{"largest", std::to_string(maxPictureSide)}, {"size", options.size}}));
   choices.size = *size;
-  choices.format = figureFormatOf(options.output);
+  choices.format = figureFormatOf(output);
   if (!choices.format)
     return refused(
         words("Figures are written as {formats}: let the name end in {endings}, not as “{file}” does.",
               {{"formats", formats(&FigureFormat::name)},
                {"endings", formats(&FigureFormat::ending)},
-               {"file", options.output}}));
-  if (auto problem = uselessOption(*choices.format, command))
+               {"file", output}}));
+  if (auto problem = uselessOption(*choices.format, options, command))
     return std::move(*problem);
   const auto paper = paperSizeOf(options);
   if (!paper)

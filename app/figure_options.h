@@ -4,6 +4,9 @@
 #include "app/figures/figure_choices.h"
 #include "lessons/result.h"
 
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -12,7 +15,7 @@ namespace halfspace {
 
 /// As they are typed.
 struct FigureOptions {
-  std::string output;
+  std::vector<std::string> outputs; ///< a file of each format that is wanted
   std::string size = "1600x1000";
   std::string width = "12cm";
   std::string typeSize = "9pt";
@@ -28,7 +31,9 @@ struct FigureOptions {
 /// Lets a command take them.
 void addFigureOptions(CLI::App &command, FigureOptions &options);
 
-/// What they ask for; `command` says which of them were given. Or a sentence that refuses them.
-[[nodiscard]] Result<FigureChoices> choicesOf(const FigureOptions &options, const CLI::App &command);
+/// What they ask for of one of the outputs; `command` says which of them were given. Or a sentence that
+/// refuses them: those that none of the outputs has a use for as well.
+[[nodiscard]] Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,
+                                              const CLI::App &command);
 
 } // namespace halfspace

@@ -1,199 +1,144 @@
-// Pictures of a figure in files, one or as many as a flight has frames.
+// Figures in files: one, or as many as lessons, steps, rows of values and frames of a flight make.
+#include "app/batch/figure_batch.h"
+#include "app/batch/planned_subject.h"
 #include "app/commands.h"
-#include "app/figures/figure_maker.h"
 #include "app/standard_streams.h"
-#include "lessons/files/write_file.h"
-#include "lessons/lesson/nearest_step.h"
-#include "lessons/lesson/shown.h"
-#include "lessons/object/kind.h"
-#include "lessons/object/kinds/number.h"
-#include "lessons/scene/file/session_file.h"
+#include "lessons/files/held_signals.h"
+#include "lessons/files/read_file.h"
 #include "lessons/words.h"
-#include "widgets/picture/camera_views.h"
-#include "widgets/picture/lesson_picture.h"
 #include "widgets/picture/shapes/surface_layers.h"
-#include "widgets/typeset/typesetter.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
-/// The last step that shows the lesson's flight; null where it has none.
-const LessonStep *stepOfFlight(const OpenedSession &opened) {
-  const LessonStep *last = nullptr;
-  if (opened.lesson)
-    for (const LessonStep &step : opened.lesson->steps)
-      if (flightOf(step))
-        last = &step;
-  return last;
-}
+/// Some figures could not be made.
+constexpr int exitSomeMissing = 1;
 
-/// The step that the pictures show, null for the whole figure; or that the lesson does not have it.
-Result<const LessonStep *> stepToShow(const RenderCommand &command, const OpenedSession &opened) {
-  const Lesson *lesson = opened.lesson;
-  const std::size_t steps = lesson ? lesson->steps.size() : 0;
-  if (command.step && static_cast<std::size_t>(*command.step) > steps)
-    return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0,
-                   "--step"};
-  if (command.step)
-    return &stepOf(*lesson, *command.step - 1);
-  if (const LessonStep *step = command.frames ? stepOfFlight(opened) : nullptr)
-    return step;
-  const bool isSession = opened.origin != OpenedSession::Origin::Lesson;
-  return lesson && isSession ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
-}
-
-/// What the figures of a command are of.
-struct Motif {
-  const RenderCommand &command;
-  const OpenedSession &opened; ///< with the scene of the picture that comes next
-  const LessonStep *step;      ///< that they show; null: the whole figure
-  Stage stage;
+struct RenderPlan {
+  std::vector<PlannedSubject> subjects;
+  std::vector<FigureJob> jobs;     ///< of this shard
+  std::vector<Problem> problems{}; ///< with subjects of which nothing can be drawn
+  bool isBatch = false;            ///< more was asked for than one figure
 };
 
-/// What is to be seen when a picture is opened again: its scene, at its step.
-Session sessionOf(const Motif &motif) {
-  Session session = motif.opened.session;
-  const std::size_t steps = motif.step ? motif.opened.lesson->steps.size() : 0;
-  for (std::size_t i = 0; i < steps; ++i)
-    if (&motif.opened.lesson->steps[i] == motif.step)
-      session.step = static_cast<int>(i);
-  return session;
+/// Nothing where the command has no rows.
+Result<std::optional<ValueRows>> rowsOf(const RenderCommand &command) {
+  if (!command.rowsFile)
+    return std::optional<ValueRows>();
+  const auto text = readFile(*command.rowsFile, maxRowsBytes);
+  if (!text)
+    return text.problem();
+  auto rows = readValueRows(*text, *command.rowsFile);
+  if (!rows)
+    return rows.problem();
+  return std::optional(std::move(*rows));
 }
 
-/// Where a scene is looked at from: as somebody had put the camera when the session was saved, or as its
-/// lesson begins.
-Camera cameraFor(const Motif &motif, const Evaluation &evaluation, const View &frame) {
-  if (const auto &view = motif.opened.session.view)
-    return cameraOf(*view);
-  return homeOf(motif.opened.lesson, evaluation, motif.stage, frame.size, frame.pixelRatio);
+std::vector<std::string> subjectsOf(const RenderCommand &command, SubjectOpener &opener) {
+  if (!command.allLessons)
+    return command.subjects;
+  std::vector<std::string> ids;
+  for (const Lesson &lesson : opener.all().lessons)
+    ids.push_back(lesson.id);
+  return ids;
 }
 
-/// Flat pictures are each laid on their page by themselves.
-Result<FlatPicture> flatPictureOf(const Motif &motif, const Evaluation &evaluation) {
-  const auto &[command, opened, step, stage] = motif;
-  const auto frame = opened.lesson ? flatFrame(opened.lesson->flat, opened.session.scene) : std::nullopt;
-  if (!frame)
-    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
-                   "--flat"};
-  return FlatPicture(*frame, stage, figureOf(evaluation), figureShown(step, evaluation));
+/// A subject is opened twice: before anything is drawn, and when its turn comes.
+Result<PlannedSubject> planSubject(const std::string &subject, const RenderCommand &command,
+                                   const ValueRows *rows, SubjectOpener &opener) {
+  LessonLibrary library;
+  auto opened = opener.open(subject, library);
+  if (opened)
+    opened = withValues(std::move(*opened), command.assignments);
+  return opened ? plannedOf(subject, *opened, command, rows) : opened.problem();
 }
 
-/// The figures of a command, which are drawn one after the other, seen from one place.
-class Figures {
-public:
-  Figures(Motif motif, const Evaluation &evaluation)
-      : m_motif(std::move(motif)), m_camera(cameraFor(m_motif, evaluation, m_motif.command.choices.frame())) {
-  }
+/// Files that a figure must not be written over.
+std::vector<std::string> inputsOf(const RenderCommand &command, const std::vector<PlannedSubject> &subjects) {
+  std::vector<std::string> files;
+  for (const PlannedSubject &subject : subjects)
+    if (namesSession(subject.name))
+      files.push_back(subject.name);
+  if (command.rowsFile)
+    files.push_back(*command.rowsFile);
+  return files;
+}
 
-  /// From now on they show what came after this: they are framed and labelled as it is.
-  void begin(const Evaluation &evaluation) { m_beginning = content(evaluation); }
+/// A problem that says which subject it is of.
+Problem named(Problem problem, const std::string &subject) {
+  if (problem.file.empty())
+    problem.file = subject;
+  return problem;
+}
 
-  /// Draws one into a file.
-  [[nodiscard]] std::optional<Problem> write(const Evaluation &evaluation, const std::string &file) {
-    const auto subject = subjectOf(evaluation);
-    if (!subject)
+Result<RenderPlan> planOf(const RenderCommand &command, const ValueRows *rows, SubjectOpener &opener) {
+  RenderPlan plan;
+  const auto names = subjectsOf(command, opener);
+  for (const std::string &name : names) {
+    auto subject = planSubject(name, command, rows, opener);
+    if (!subject && names.size() == 1)
       return subject.problem();
-    auto figure = m_maker.file(*subject, m_motif.command.choices);
-    if (!figure)
-      return figure.problem();
-    if (figure->leavesOutSurfaces && !std::exchange(m_hasToldOfOverfull, true)) // of a flight many would
-      printError(overfullWords());
-    return writeFile(file, figure->content);
+    if (subject)
+      plan.subjects.push_back(std::move(*subject));
+    else
+      plan.problems.push_back(named(subject.problem(), name));
   }
-
-private:
-  [[nodiscard]] SceneContent content(const Evaluation &evaluation) const {
-    return contentOf(m_motif.opened.lesson, m_motif.step, evaluation, m_motif.stage);
-  }
-
-  [[nodiscard]] Result<FigureSubject> subjectOf(const Evaluation &evaluation) const {
-    const auto &[command, opened, step, stage] = m_motif;
-    FigureSubject subject;
-    subject.content = content(evaluation);
-    subject.framedLike = m_beginning;
-    subject.camera = m_camera;
-    if (command.flat) {
-      auto flat = flatPictureOf(m_motif, evaluation);
-      if (!flat)
-        return flat.problem();
-      subject.flat = std::move(*flat);
-    }
-    subject.title = opened.lesson ? opened.lesson->title : command.subject;
-    subject.description = shownIn(step ? *step : LessonStep(), evaluation).description;
-    if (!command.anonymous)
-      subject.session = writeSession(sessionOf(m_motif));
-    return subject;
-  }
-
-  Motif m_motif;
-  Camera m_camera;
-  std::optional<SceneContent> m_beginning;
-  bool m_hasToldOfOverfull = false;
-  Typesetter m_typesetter;
-  FigureMaker m_maker{m_typesetter};
-};
-
-/// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
-std::optional<std::string> frameNumberOf(const OpenedSession &opened) {
-  const LessonStep *step = stepOfFlight(opened);
-  return step ? std::optional(flightOf(*step)->frame) : std::nullopt;
+  PlanRequest request{plan.subjects, rows, command.frames, {}, inputsOf(command, plan.subjects)};
+  for (const FigureOutput &output : command.outputs)
+    request.outputs.push_back(output.name);
+  auto jobs = planFigures(request);
+  if (!jobs)
+    return jobs.problem();
+  plan.isBatch = names.size() > 1 || jobs->size() > 1;
+  plan.jobs = shardOf(std::move(*jobs), command.shard);
+  return plan;
 }
 
-/// The frame that is nearest to the wanted one, with which the scene is now.
-Rational goToFrame(const Rational &wanted, const std::string &name, Scene &scene) {
-  Object number = *findObject(scene, name);
-  number[0].x = wanted;
-  number.kind().settle(number);
-  const Rational frame = number[0].x;
-  setObject(scene, name, std::move(number));
-  return frame;
-}
-
-/// Draws and writes one frame after the other.
-std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Evaluation evaluation,
-                                   Figures &figures) {
-  const auto number = frameNumberOf(opened);
-  if (!number)
-    return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
-  const auto [first, last] = *command.frames;
-  Scene &scene = opened.session.scene;
-  for (const int frame : {first, last}) // before any picture is written
-    if (const Rational nearest = goToFrame(frame, *number, scene); nearest != frame)
-      return Problem{words("The flight has no frame {frame}: the nearest is {nearest}.",
-                           {{"frame", std::to_string(frame)}, {"nearest", toText(nearest)}}),
-                     "", 0, "--frame"};
-  goToFrame(objectAs<NumberObject>(*findObject(scene, *number))->from, *number, scene);
-  evaluation = evaluate(scene, evaluation);
-  figures.begin(evaluation);
-  for (int frame = first; frame <= last; ++frame) {
-    goToFrame(frame, *number, scene);
-    evaluation = evaluate(scene, evaluation);
-    const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
-    if (auto problem = figures.write(evaluation, file))
-      return problem;
-  }
-  return {};
+/// Lists what could not be made, and returns the program's exit status.
+int told(const BatchReport &report, const RenderPlan &plan) {
+  if (report.leavesOutSurfaces)
+    printError(overfullWords());
+  if (!plan.isBatch && !report.problems.empty())
+    return fail(report.problems.front());
+  for (const auto *problems : {&plan.problems, &report.problems})
+    for (const Problem &problem : *problems)
+      printError(problem.text());
+  const std::initializer_list<std::pair<std::string_view, std::string>> counts{
+      {"done", std::to_string(report.done())}, {"count", std::to_string(plan.jobs.size())}};
+  if (report.isInterrupted)
+    printError(words("Interrupted: {done} of {count} figures are done, and whole.", counts));
+  else if (!report.problems.empty() || !plan.problems.empty())
+    printError(words("{done} of {count} figures are done. What kept the others is told above.", counts));
+  const bool isWhole = report.problems.empty() && plan.problems.empty() && !report.isInterrupted;
+  return isWhole ? 0 : exitSomeMissing;
 }
 
 } // namespace
 
 int runRender(const RenderCommand &command) {
-  LessonLibrary library;
-  auto opened = openSubject(library, command.subject, command.ownLessons, command.assignments);
-  if (!opened)
-    return fail(opened.problem());
-  const auto step = stepToShow(command, *opened);
-  if (!step)
-    return fail(step.problem());
-  const Scene &scene = opened->session.scene;
-  Evaluation evaluation = evaluate(scene);
-  const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
-  Figures figures({command, *opened, *step, stage}, evaluation);
-  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), figures)
-                                      : figures.write(evaluation, command.output);
-  return problem ? fail(*problem) : 0;
+  const auto rows = rowsOf(command);
+  if (!rows)
+    return fail(rows.problem());
+  const ValueRows *values = *rows ? &**rows : nullptr;
+  SubjectOpener opener(command.ownLessons);
+  const auto plan = planOf(command, values, opener);
+  if (!plan)
+    return fail(plan.problem());
+  std::optional<HeldSignals> untilAllIsTold; // then one that came ends the program
+  if (plan->isBatch)
+    untilAllIsTold.emplace();
+  JobScenes scenes(command, plan->subjects, values, opener);
+  const BatchReport report = FigureBatch(command, scenes).run(plan->jobs);
+  const int status = told(report, *plan);
+  if (!command.onlyChanged || status != 0)
+    return status;
+  return printOut(
+      words("Figures drawn: {made}. Unchanged: {unchanged}.",
+            {{"made", std::to_string(report.made)}, {"unchanged", std::to_string(report.unchanged)}}) +
+      "\n");
 }
 
 } // namespace halfspace

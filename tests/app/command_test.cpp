@@ -449,7 +449,8 @@ TEST_F(Program, RenderFlatWithoutEnoughMemory_IsRefused) {
   const Ran ran = shell("ulimit -v 1500000 && exec env HOME=/ '" HALFSPACE_PROGRAM
                         "' render ray-plane-picture --flat --size 16000x16000 -o a.png >.out 2>.err");
   EXPECT_EQ(ran.status, 2);
-  EXPECT_TRUE(ran.err.ends_with("halfspace: There is not enough memory for this picture.\n")) << ran.err;
+  EXPECT_TRUE(ran.err.ends_with("halfspace: a.png: There is not enough memory for this picture.\n"))
+      << ran.err;
 }
 
 TEST_F(Program, Eval_OfAPipeThatNobodyWritesTo_SaysThatItWaits_AndAnswersThen) {

@@ -6,14 +6,15 @@ namespace halfspace {
 namespace {
 
 /// What commands, their arguments, the values of these and objects of our lessons are called.
-const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NAME",      "VALUE",
-                        "INT",       "FORMAT",        "THEME",  "Halfspace", "halfspace", "subject",
-                        "output",    "paths",         "file",   "size",      "distance",  "lessons",
-                        "new",       "constructions", "check",  "explain",   "render",    "eval",
-                        "text",      "latex",         "json",   "light",     "dark",      "print",
-                        "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere",   "LENGTH",
-                        "dashed",    "paler",         "left",   "out",       "width",     "hidden",
-                        "mathml",    "shapes",        "letters"};
+const test::Names names{
+    "LESSON",  "FILE",   "FOLDER",    "ID",           "NAME",    "VALUE",         "INT",
+    "FORMAT",  "THEME",  "Halfspace", "halfspace",    "subject", "output",        "paths",
+    "file",    "size",   "distance",  "lessons",      "new",     "constructions", "check",
+    "explain", "render", "eval",      "text",         "latex",   "json",          "light",
+    "dark",    "print",  "projector", "WIDTHxHEIGHT", "NUMBER",  "nobody",        "nowhere",
+    "LENGTH",  "dashed", "paler",     "left",         "out",     "width",         "hidden",
+    "mathml",  "shapes", "letters",   "changed",      "steps",   "rows",          "lesson",
+    "step",    "row",    "frame",     "CSV",          "ray",     "sphere",        "JSON"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
@@ -50,6 +51,16 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render x -o a.png --size 0x0",
                                 "render x -o a.png --frame 1.5",
                                 "render x -o a.png --frame 1 --frames 0:3",
+                                "render -o a.png",
+                                "render x --all -o a.png",
+                                "render x --steps 0 -o a.png",
+                                "render x --shard 2/1 -o a.png",
+                                "render x -o 'a{.png'",
+                                "render ray-sphere -o 'a{step}.png'",
+                                "render ray-sphere -o 'a{nobody}.png'",
+                                "render ray-sphere --steps -o a.png",
+                                "render ray-sphere --rows nowhere.csv -o a.png",
+                                "render ray-sphere nowhere --step 99 -o '{lesson}.png'",
                                 "explain x --format xml",
                                 "lessons explain x",
                                 "x explain",
