@@ -1,11 +1,13 @@
 // Figures of vectors: what drawing and writing one costs, and how large it is.
 #include "tests/bench/durations.h"
 #include "tests/bench/stopwatch.h"
+#include "tests/bench/timed_command.h"
 #include "tests/exports/lesson_drawings.h"
 #include "widgets/exports/format.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace halfspace::bench {
 namespace {
@@ -44,11 +46,22 @@ void measureBatch(const ExportFormat &format) {
              1000 * static_cast<double>(figures) / millisecondsSince(start), leastFiguresASecond);
 }
 
+/// The same by the command, from its start to its end.
+void measureCommand(const ExportFormat &format) {
+  const BenchFolder folder("figures");
+  const auto time = timeOfCommand(
+      "render --all --steps -o '{lesson}-{step}" + format.ending + "' 2>/dev/null", folder.path());
+  const auto figures = std::distance(std::filesystem::directory_iterator(folder.path()), {});
+  printLeast(format.name + " by `halfspace render --all --steps`, figures a second",
+             time ? 1000 * static_cast<double>(figures) / *time : 0, leastFiguresASecond);
+}
+
 int run() {
   std::printf("\nfigures of vectors\n");
   for (const ExportFormat &format : exportFormats()) {
     measureLargest(*library().find("photon-torpedo"), format);
     measureBatch(format);
+    measureCommand(format);
   }
   return library().lessons.empty() ? 1 : 0;
 }
