@@ -3,6 +3,8 @@
 #include "widgets/exports/formula_outlines.h"
 #include "widgets/exports/page_number.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halfspace {
@@ -43,6 +45,18 @@ std::string widthsOf(const FontSubset &subset, const math::FontFace &face) {
   return "[" + widths + "]";
 }
 
+/// What a character is copied as: the letters of a ligature.
+std::string copiedDigits(char32_t character) {
+  constexpr char32_t firstLigature = 0xFB00;
+  constexpr std::array<std::u32string_view, 5> ligatures{U"ff", U"fi", U"fl", U"ffi", U"ffl"};
+  if (character < firstLigature || character >= firstLigature + ligatures.size())
+    return utf16Digits(character);
+  std::string digits;
+  for (const char32_t letter : ligatures.at(character - firstLigature))
+    digits += utf16Digits(letter);
+  return digits;
+}
+
 /// Which characters stand for the glyphs, in the language that the format has for it.
 std::string characterMap(const FontSubset &subset, const math::FontFace &face) {
   const GlyphCharacters characters(face);
@@ -61,13 +75,15 @@ std::string characterMap(const FontSubset &subset, const math::FontFace &face) {
   };
   for (const auto &[code, glyph] : byCode(subset))
     if (const auto character = characters.characterOf(glyph)) {
-      block += "<" + hexDigits(code, 4) + "><" + utf16Digits(*character) + ">\n";
+      block += "<" + hexDigits(code, 4) + "><" + copiedDigits(*character) + ">\n";
       if (++inBlock == mostInABlock)
         endBlock();
     }
   endBlock();
   return map + "endcmap CMapName currentdict/CMap defineresource pop end end";
 }
+
+std::string fontName(std::size_t index) { return "/F" + std::to_string(index); }
 
 /// The box around all glyphs of the subset, and how high they reach.
 std::string descriptorOf(const FontSubset &subset, const math::FontFace &face, const std::string &name,
@@ -91,32 +107,55 @@ std::string descriptorOf(const FontSubset &subset, const math::FontFace &face, c
 
 } // namespace
 
-PdfFonts::PdfFonts(const Drawing &drawing, const math::MathFonts &fonts, PdfFile &file) {
-  std::array<std::set<math::GlyphId>, 2> used;
+std::size_t PdfFonts::indexOf(const math::FontFace &face) const {
+  const auto known =
+      std::find_if(m_faces.begin(), m_faces.end(), [&](const UsedFace &used) { return used.face == &face; });
+  return static_cast<std::size_t>(known - m_faces.begin());
+}
+
+void PdfFonts::use(const math::FontFace &face, math::GlyphId glyph) {
+  const std::size_t index = indexOf(face);
+  if (index == m_faces.size())
+    m_faces.push_back({&face});
+  m_faces[index].glyphs.insert(glyph);
+}
+
+void PdfFonts::use(const math::Layout &formula, const math::MathFonts &fonts) {
+  for (const math::PlacedGlyph &glyph : formula.glyphs)
+    use(fonts.face(glyph.font), glyph.glyph);
+}
+
+void PdfFonts::use(const Drawing &drawing, const math::MathFonts &fonts) {
   for (const DrawingPart &part : drawing.parts)
     if (const auto *formula = std::get_if<FormulaPart>(&part))
-      for (const math::PlacedGlyph &glyph : formula->formula->glyphs)
-        used.at(static_cast<std::size_t>(glyph.font)).insert(glyph.glyph);
-  for (const math::FontIndex index : {math::FontIndex::Math, math::FontIndex::Text})
-    if (const auto &glyphs = used.at(static_cast<std::size_t>(index)); !glyphs.empty())
-      embed(index, fonts.face(index), glyphs, file);
+      use(*formula->formula, fonts);
 }
 
-std::string PdfFonts::nameOf(math::FontIndex font) { return "/F" + std::to_string(static_cast<int>(font)); }
-
-std::string PdfFonts::codeOf(const math::PlacedGlyph &glyph) const {
-  const auto &codes = m_glyphs.at(static_cast<std::size_t>(glyph.font));
-  const auto known = codes.find(glyph.glyph);
-  return "<" + hexDigits(known != codes.end() ? known->second : 0, 4) + ">";
+void PdfFonts::embed(PdfFile &file) {
+  for (std::size_t i = 0; i < m_faces.size(); ++i)
+    embed(i, file);
 }
 
-void PdfFonts::embed(math::FontIndex index, const math::FontFace &face, const std::set<math::GlyphId> &glyphs,
-                     PdfFile &file) {
-  const auto subset = subsetOf(face, glyphs);
+std::string PdfFonts::nameOf(const math::FontFace &face) const { return fontName(indexOf(face)); }
+
+std::string PdfFonts::codeOf(const math::FontFace &face, math::GlyphId glyph) const {
+  constexpr int digits = 4;
+  const std::size_t index = indexOf(face);
+  if (index == m_faces.size())
+    return hexDigits(0, digits);
+  const auto &codes = m_faces[index].codes;
+  const auto known = codes.find(glyph);
+  return hexDigits(known != codes.end() ? known->second : 0, digits);
+}
+
+void PdfFonts::embed(std::size_t index, PdfFile &file) {
+  UsedFace &used = m_faces[index];
+  const math::FontFace &face = *used.face;
+  const auto subset = subsetOf(face, used.glyphs);
   if (!subset)
     return;
   const bool isCff = subset->outlines == FontSubset::Outlines::Cff;
-  const std::string name = prefixFor(glyphs) + subset->name;
+  const std::string name = prefixFor(used.glyphs) + subset->name;
   const int program =
       file.addStream(subset->program,
                      isCff ? "/Subtype/CIDFontType0C" : "/Length1 " + std::to_string(subset->program.size()));
@@ -131,8 +170,8 @@ void PdfFonts::embed(math::FontIndex index, const math::FontFace &face, const st
   const int font =
       file.add("<</Type/Font/Subtype/Type0/BaseFont/" + name + "/Encoding/Identity-H/DescendantFonts[" +
                pdfReference(descendant) + "]/ToUnicode " + pdfReference(characters) + ">>");
-  m_resources += nameOf(index) + " " + pdfReference(font);
-  m_glyphs.at(static_cast<std::size_t>(index)) = subset->glyphs;
+  m_resources += fontName(index) + " " + pdfReference(font);
+  used.codes = subset->glyphs;
 }
 
 } // namespace halfspace

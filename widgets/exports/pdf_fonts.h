@@ -5,28 +5,42 @@
 #include "widgets/exports/font_subset.h"
 #include "widgets/exports/pdf_file.h"
 
-#include <array>
+#include <vector>
 
 namespace halfspace {
 
-/// The fonts that a drawing's formulas are set in.
+/// Faces that a file shows glyphs of: all glyphs are told first, then the faces are embedded, and after that
+/// the glyphs have codes. The faces must outlive it.
 class PdfFonts {
 public:
-  /// Puts them into the file.
-  PdfFonts(const Drawing &drawing, const math::MathFonts &fonts, PdfFile &file);
+  /// The file will show a glyph.
+  void use(const math::FontFace &face, math::GlyphId glyph);
+  /// It will show those of a formula.
+  void use(const math::Layout &formula, const math::MathFonts &fonts);
+  /// It will show those of a drawing's formulas.
+  void use(const Drawing &drawing, const math::MathFonts &fonts);
 
-  /// Their names and objects, for the page's resources.
+  /// Puts the parts of the faces that are used into the file.
+  void embed(PdfFile &file);
+
+  /// Their names and objects, for the resources of pages.
   [[nodiscard]] const std::string &resources() const { return m_resources; }
-  /// /F0, as the content of the page calls it.
-  [[nodiscard]] static std::string nameOf(math::FontIndex font);
-  /// A glyph as it is shown: <0007>.
-  [[nodiscard]] std::string codeOf(const math::PlacedGlyph &glyph) const;
+  /// /F0, as the content of pages calls a face that is used.
+  [[nodiscard]] std::string nameOf(const math::FontFace &face) const;
+  /// A glyph as it is shown, in hexadecimal digits: 0007. That of a glyph which is not used is 0000.
+  [[nodiscard]] std::string codeOf(const math::FontFace &face, math::GlyphId glyph) const;
 
 private:
-  void embed(math::FontIndex index, const math::FontFace &face, const std::set<math::GlyphId> &glyphs,
-             PdfFile &file);
+  struct UsedFace {
+    const math::FontFace *face;
+    std::set<math::GlyphId> glyphs{};
+    std::map<math::GlyphId, math::GlyphId> codes{};
+  };
 
-  std::array<std::map<math::GlyphId, math::GlyphId>, 2> m_glyphs; ///< by FontIndex
+  [[nodiscard]] std::size_t indexOf(const math::FontFace &face) const;
+  void embed(std::size_t index, PdfFile &file);
+
+  std::vector<UsedFace> m_faces; ///< in the order in which they were told
   std::string m_resources;
 };
 
