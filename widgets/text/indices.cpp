@@ -1,8 +1,9 @@
 #include "widgets/text/indices.h"
 
+#include "widgets/formula/index_runs.h"
+
 #include <QFontInfo>
 #include <QLabel>
-#include <QRegularExpression>
 
 namespace halfspace {
 namespace {
@@ -11,30 +12,12 @@ namespace {
 constexpr double indexScale = 0.8;
 constexpr double indexDropEms = 0.18;
 
-/// Small digits ahead of a letter's index belong to it: P₀_E has the index 0,E, as in formulas.
-QString indexOf(const QString &smallDigits, const QString &index) {
-  QString whole;
-  for (const QChar digit : smallDigits)
-    whole += QChar(u'0' + digit.unicode() - u'₀');
-  return whole.isEmpty() ? index : whole + u',' + index;
-}
-
 } // namespace
 
 std::vector<TextRun> runsOf(const QString &plain) {
-  static const QRegularExpression index(
-      QStringLiteral("(?<=[\\p{L}\\p{M}\\p{No}′])([₀-₉]*)_([\\p{L}\\p{N}]+)"),
-      QRegularExpression::UseUnicodePropertiesOption);
   std::vector<TextRun> runs;
-  int end = 0;
-  for (auto found = index.globalMatch(plain); found.hasNext();) {
-    const QRegularExpressionMatch match = found.next();
-    runs.push_back({plain.mid(end, match.capturedStart() - end)});
-    runs.push_back({indexOf(match.captured(1), match.captured(2)), true});
-    end = static_cast<int>(match.capturedEnd());
-  }
-  if (end < plain.size() || runs.empty())
-    runs.push_back({plain.mid(end)});
+  for (const math::IndexRun &run : math::indexRunsOf(plain.toStdString()))
+    runs.push_back({QString::fromStdString(run.text), run.isIndex});
   return runs;
 }
 
