@@ -24,10 +24,11 @@ widgets/picture      : geometry geometry/search lessons/* widgets/formula
 widgets/scene        : geometry lessons/* widgets/formula widgets/picture : VTK OpenGL
 widgets/carriers     : geometry lessons/* : Codes
 widgets/exports      : geometry lessons/* widgets/formula widgets/picture widgets/carriers : HarfBuzz
+widgets/handout      : geometry lessons/* widgets/formula widgets/picture widgets/exports
 widgets/mesh_files   : geometry geometry/search lessons/*
 widgets              : geometry geometry/search lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
 widgets/view         : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets : Qt VTK
-app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/carriers widgets/exports widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
+app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/carriers widgets/exports widgets/handout widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
 '
 
 grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \

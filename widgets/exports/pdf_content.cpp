@@ -75,6 +75,8 @@ void PdfContent::writeWithoutHalo(const FormulaPart &part) {
 void PdfContent::write(const TextPart &part) {
   if (part.glyphs.empty())
     return;
+  if (!part.copied.empty())
+    beginSpan(part.copied);
   m_text += "BT\n" + colorText(part.ink, "rg") + m_embedded.nameOf(*part.face) + " " + pageNumber(part.size) +
             " Tf\n1 0 0 1 " + pageNumbers(upward(part.start)) + " Tm[<";
   double pen = 0; // where the next glyph would stand by itself, in ems
@@ -88,6 +90,8 @@ void PdfContent::write(const TextPart &part) {
     pen += part.face->metrics(glyph.glyph).advance;
   }
   m_text += ">]TJ\nET\n";
+  if (!part.copied.empty())
+    endMark();
 }
 
 void PdfContent::write(const Drawing &drawing, glm::dvec2 at) {

@@ -21,6 +21,7 @@ struct TextPart {
   std::vector<Glyph> glyphs{};
   glm::dvec2 start{}; ///< the left end of its baseline
   Color ink{};
+  std::string copied{}; ///< what is read and copied of it; empty: the characters of its glyphs
 };
 
 /// Writes the content of a page. Places are those of drawings: in points, y down, from the left top corner of

@@ -72,7 +72,7 @@ private:
     std::stable_sort(kids.begin(), kids.end(), [](const Kid &a, const Kid &b) { return a.order < b.order; });
     std::string list;
     for (const Kid &kid : kids)
-      list += kid.text;
+      list += (list.empty() ? "" : " ") + kid.text;
     const PdfElement &element = m_document.elements[index];
     m_file.put(m_elements[index],
                "<</Type/StructElem/S/" + element.role + "/P " +

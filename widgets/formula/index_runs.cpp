@@ -128,7 +128,10 @@ private:
     std::size_t end = mark + 1;
     while (end < m_characters.size() && standsInIndex(m_characters[end].code))
       index += m_characters[end++].bytes;
-    m_runs.push_back({std::move(index), true});
+    std::string written;
+    for (std::size_t i = begin; i < end; ++i)
+      written += m_characters[i].bytes;
+    m_runs.push_back({std::move(index), true, std::move(written)});
     return end;
   }
 

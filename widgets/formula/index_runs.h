@@ -9,7 +9,8 @@ namespace halfspace::math {
 
 struct IndexRun {
   std::string text;
-  bool isIndex = false; ///< set smaller and lower
+  bool isIndex = false;  ///< set smaller and lower
+  std::string written{}; ///< of an index: as it stands in the plain text
 };
 
 /// A plain text in UTF-8 without its `_`, in runs; one, also of an empty text, where it has no index.
