@@ -3,6 +3,7 @@
 #include "app/batch_options.h"
 #include "app/completion.h"
 #include "app/figure_options.h"
+#include "app/handout_options.h"
 #include "app/manual_page.h"
 #include "app/parse_refusal.h"
 #include "lessons/guess.h"
@@ -72,6 +73,7 @@ struct Arguments {
   std::string frames;
   FigureOptions figure;
   BatchOptions batch;
+  HandoutOptions handout;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -116,6 +118,14 @@ CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
       ->check(CLI::IsMember({"text", "latex", "mathml", "json"}).description(""))
       ->capture_default_str();
   return explain;
+}
+
+CLI::App *addHandout(CLI::App &app, HandoutOptions &options) {
+  auto *handout = app.add_subcommand(
+      "handout", words("Write a lesson as pages to be handed out: words, figures and worked lines as a PDF"));
+  addSubject(*handout, options.command.subject, options.command.assignments);
+  addHandoutOptions(*handout, options);
+  return handout;
 }
 
 /// Listed in no help: it is for the window alone.
@@ -295,6 +305,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
       ->type_name("FILE|FOLDER");
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
+  auto *handout = addHandout(app, arguments.handout);
   auto *eval = app.add_subcommand("eval", words("Answer geometry questions, one JSON object a line"));
   eval->add_option("file", arguments.eval.file,
                    words("The file with the questions; standard input without one"))
@@ -326,7 +337,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
   if (arguments.window.mesh && !app.get_subcommands().empty())
     return complaint(words("--mesh is for the window: no command draws or explains a mesh of yours."));
   arguments.window.ownLessons = arguments.lessons.ownLessons = arguments.ownLessons;
-  arguments.explain.ownLessons = arguments.render.ownLessons = arguments.ownLessons;
+  arguments.explain.ownLessons = arguments.render.ownLessons = arguments.handout.command.ownLessons =
+      arguments.ownLessons;
   if (lessons->parsed())
     return arguments.lessons;
   if (newLesson->parsed())
@@ -341,6 +353,10 @@ Command parseCommandLine(int argc, const char *const *argv) {
     return arguments.eval;
   if (readMesh->parsed())
     return arguments.readMesh;
+  if (handout->parsed()) {
+    const auto command = handoutCommandOf(arguments.handout);
+    return command ? Command(*command) : complaint(command.problem().sentence);
+  }
   if (render->parsed())
     return finishRender(arguments, *render);
   return arguments.window;

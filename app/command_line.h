@@ -3,6 +3,7 @@
 
 #include "app/batch/figure_plan.h"
 #include "app/figures/figure_choices.h"
+#include "widgets/handout/handout_look.h"
 
 #include <optional>
 #include <string>
@@ -71,6 +72,26 @@ struct RenderCommand {
   Shard shard{};
 };
 
+/// Steps of a lesson, counted from 1, up to the last.
+struct StepRange {
+  int first = 1;
+  int last = 1;
+};
+
+/// Write a lesson as pages to be handed out.
+struct HandoutCommand {
+  std::string subject;
+  std::vector<std::string> assignments;
+  std::string output;
+  std::vector<StepRange> steps{}; ///< none: all
+  HandoutPaper paper = HandoutPaper::A4;
+  int columns = 1; ///< 1 or 2
+  HiddenLines hidden = HiddenLines::Dashed;
+  bool hasAnswers = false;
+  bool isAnonymous = false; ///< without the session, with which the handout could be opened again
+  OwnLessons ownLessons{};
+};
+
 struct EvalCommand {
   std::optional<std::string> file; ///< nothing or -: standard input
 };
@@ -97,9 +118,9 @@ struct PrintCommand {
   bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
-using Command =
-    std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand, CheckCommand,
-                 ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand, CompleteCommand, PrintCommand>;
+using Command = std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand,
+                             CheckCommand, ExplainCommand, RenderCommand, HandoutCommand, EvalCommand,
+                             ReadMeshCommand, CompleteCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

@@ -11,6 +11,8 @@ namespace halfspace {
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);
 
+[[nodiscard]] int runHandout(const HandoutCommand &command);
+
 /// Writes a lesson file that `check` finds nothing wrong with; one that is there already stays as it is.
 [[nodiscard]] int runNewLesson(const NewLessonCommand &command);
 

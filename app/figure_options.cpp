@@ -179,11 +179,7 @@ void addFigureOptions(CLI::App &command, FigureOptions &options) {
   command.add_option("--theme", options.theme, words("The picture's colours"))
       ->type_name(themeNames("|"))
       ->capture_default_str();
-  command
-      .add_option("--hidden", options.hidden,
-                  words("How lines of vectors are drawn where a face stands before them"))
-      ->type_name("dashed|paler|left-out")
-      ->capture_default_str();
+  addHiddenOption(command, options.hidden);
   command
       .add_option("--svg-text", options.text,
                   words("How SVG has its text: as shapes, which look the same everywhere, or as letters"))
@@ -192,6 +188,20 @@ void addFigureOptions(CLI::App &command, FigureOptions &options) {
   command.add_flag(
       "--qr", options.hasCode,
       words("A QR code beside it holds its scene: a photograph of the printed figure can be opened again"));
+}
+
+void addHiddenOption(CLI::App &command, std::string &hidden) {
+  command
+      .add_option("--hidden", hidden, words("How lines of vectors are drawn where a face stands before them"))
+      ->type_name("dashed|paler|left-out")
+      ->capture_default_str();
+}
+
+Result<HiddenLines> hiddenLinesOf(const std::string &word) {
+  const auto hidden = meant(hiddenWords, word);
+  if (!hidden)
+    return refused(words("--hidden takes dashed, paler or left-out, not “{hidden}”.", {{"hidden", word}}));
+  return *hidden;
 }
 
 Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,
@@ -223,10 +233,9 @@ Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &
     return refused(words("There is no theme “{theme}”. The themes are {themes}.",
                          {{"theme", options.theme}, {"themes", themeNames(", ")}}));
   choices.theme = *theme;
-  const auto hidden = meant(hiddenWords, options.hidden);
+  const auto hidden = hiddenLinesOf(options.hidden);
   if (!hidden)
-    return refused(
-        words("--hidden takes dashed, paler or left-out, not “{hidden}”.", {{"hidden", options.hidden}}));
+    return hidden.problem();
   choices.hidden = *hidden;
   const auto text = meant(textWords, options.text);
   if (!text)

@@ -31,6 +31,11 @@ struct FigureOptions {
 /// Lets a command take them.
 void addFigureOptions(CLI::App &command, FigureOptions &options);
 
+/// Lets a command take the word for how hidden lines are drawn.
+void addHiddenOption(CLI::App &command, std::string &hidden);
+/// What it stands for; or a sentence that refuses it.
+[[nodiscard]] Result<HiddenLines> hiddenLinesOf(const std::string &word);
+
 /// What they ask for of one of the outputs; `command` says which of them were given. Or a sentence that
 /// refuses them: those that none of the outputs has a use for as well.
 [[nodiscard]] Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,

@@ -19,6 +19,7 @@ int run(const Command &command, int argc, char **argv) {
                                [](const CheckCommand &check) { return runCheck(check); },
                                [](const ExplainCommand &explain) { return runExplain(explain); },
                                [](const RenderCommand &render) { return runRender(render); },
+                               [](const HandoutCommand &handout) { return runHandout(handout); },
                                [](const ReadMeshCommand &mesh) { return runReadMesh(mesh); },
                                [](const CompleteCommand &complete) { return runComplete(complete); },
                                [](const EvalCommand &eval) { return runEval(eval); },

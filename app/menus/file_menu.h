@@ -5,6 +5,7 @@
 
 namespace halfspace {
 
+class HandoutExport;
 class LeftoverWork;
 class PictureExport;
 class SceneMeshes;
@@ -15,7 +16,7 @@ class FileMenu : public QMenu {
 public:
   /// All must outlive it.
   FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
-           QWidget *parent);
+           HandoutExport &handouts, QWidget *parent);
 
 signals:
   void quitWanted();
