@@ -62,7 +62,9 @@ void PdfContent::write(const FormulaPart &part) {
   beginSpan("");
   writeHalo(part);
   endMark();
+  beginSpan(part.plain);
   writeInk(part);
+  endMark();
   m_text += "Q\n";
 }
 
@@ -75,8 +77,6 @@ void PdfContent::writeWithoutHalo(const FormulaPart &part) {
 void PdfContent::write(const TextPart &part) {
   if (part.glyphs.empty())
     return;
-  if (!part.copied.empty())
-    beginSpan(part.copied);
   m_text += "BT\n" + colorText(part.ink, "rg") + m_embedded.nameOf(*part.face) + " " + pageNumber(part.size) +
             " Tf\n1 0 0 1 " + pageNumbers(upward(part.start)) + " Tm[<";
   double pen = 0; // where the next glyph would stand by itself, in ems
@@ -90,8 +90,6 @@ void PdfContent::write(const TextPart &part) {
     pen += part.face->metrics(glyph.glyph).advance;
   }
   m_text += ">]TJ\nET\n";
-  if (!part.copied.empty())
-    endMark();
 }
 
 void PdfContent::write(const Drawing &drawing, glm::dvec2 at) {
@@ -169,13 +167,11 @@ void PdfContent::writeHalo(const FormulaPart &part) {
 }
 
 void PdfContent::writeInk(const FormulaPart &part) {
-  beginSpan(part.plain);
   writeLetters(part, false);
   for (const math::Rule &rule : part.formula->rules) {
     m_text += colorText(colorOf(rule.ink, part), "rg");
     writeRule(rule, part, "f");
   }
-  endMark();
 }
 
 void PdfContent::writeLetters(const FormulaPart &part, bool isHalo) {

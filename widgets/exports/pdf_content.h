@@ -21,7 +21,6 @@ struct TextPart {
   std::vector<Glyph> glyphs{};
   glm::dvec2 start{}; ///< the left end of its baseline
   Color ink{};
-  std::string copied{}; ///< what is read and copied of it; empty: the characters of its glyphs
 };
 
 /// Writes the content of a page. Places are those of drawings: in points, y down, from the left top corner of
@@ -38,7 +37,8 @@ public:
   void write(const TextPart &part);
   /// The parts of a drawing, cut off at its borders, with its left top corner at a place.
   void write(const Drawing &drawing, glm::dvec2 at);
-  /// A formula on what is clear already: its halo is not painted.
+  /// A formula on what is clear already: its halo is not painted. What is copied of it is for the mark around
+  /// it to say.
   void writeWithoutHalo(const FormulaPart &part);
   void fill(const math::Rectangle &box, Color color);
 

@@ -7,7 +7,7 @@
 namespace halfspace {
 namespace {
 
-/// A line that is too wide costs more than any other way to break the paragraph.
+/// A line that is too wide costs more than any other way to break the paragraph, the more the wider it is.
 constexpr double tooWide = 1e9;
 /// How much wider spaces of a justified line become before it looks loose, as part of their width.
 constexpr double easyStretching = 0.6;
@@ -80,7 +80,7 @@ private:
   /// Of a line with so much in it.
   [[nodiscard]] double costOf(double width, double spaces, std::size_t end) const {
     if (isTooWide(width, spaces))
-      return tooWide + width;
+      return tooWide * (1 + (width + spaces - m_width) / m_width);
     const double left = m_width - width - spaces;
     if (isLast(end) || m_items[end].mustBegin)
       return lineCost + (width + spaces < shortEnd * m_width && end > 1 ? shortEndCost : 0);

@@ -45,7 +45,7 @@ private:
     for (std::size_t i = begin; i < end; ++i)
       height += chunks[i].height + (i > begin ? chunks[i].gapAbove : 0);
     const bool fits = m_y + height <= bottom() + rounding;
-    if (!fits && chunks[begin].floats) {
+    if (chunks[begin].floats && (!fits || !m_floats.empty())) { // figures keep their order
       m_floats.push_back(std::move(chunks[begin]));
       return;
     }

@@ -75,11 +75,16 @@ private:
     return mark ? std::optional(m_theme.inkOf(hueOf(baseOf(*mark)))) : std::nullopt;
   }
 
+  /// Whether the step's question is not answered.
   [[nodiscard]] bool isOpen() const { return !m_request.hasAnswers && predictionOf(*m_step); }
+  /// Whether numbers are to be found by the learner: then nothing else tells them.
+  [[nodiscard]] bool withholds() const { return isOpen() || !m_fade.gaps.empty(); }
 
   HandoutBlocks stepBlocks() {
     m_shown = shownIn(*m_step, m_request.evaluation, isOpen() ? Question::Open : Question::Answered);
     m_fade = fadeOfStep();
+    if (withholds())
+      m_shown.figure = withoutNumbers(std::move(m_shown.figure));
     m_line = 0;
     m_block = 0;
     HandoutBlocks blocks;
@@ -98,7 +103,7 @@ private:
   }
 
   [[nodiscard]] FilledMarkdown filled(const MarkdownText &text) const {
-    const LiveValues values = isOpen() ? LiveValues::Hidden : LiveValues::Shown;
+    const LiveValues values = withholds() ? LiveValues::Hidden : LiveValues::Shown;
     return filledIn(text.markdown(), [&](const std::string &name) {
       return liveValue(name, m_request.evaluation.scene, m_request.evaluation, values);
     });
@@ -178,7 +183,10 @@ private:
     const auto place = std::find_if(blocks.begin(), blocks.end(), [](const HandoutBlock &block) {
       return !block.keepsWithNext && !endsWithColon(block);
     });
-    blocks.insert(place == blocks.end() ? place : place + 1, {newFigure()});
+    FigureBlock figure = newFigure();
+    if (figure.drawings.empty())
+      return;
+    blocks.insert(place == blocks.end() ? place : place + 1, {std::move(figure)});
     m_printed.push_back({marks, m_figures});
   }
 
@@ -189,7 +197,7 @@ private:
     FigureBlock figure{drawn(width), descriptionOfFigure(), {}};
     const std::string label = words("Figure {number}.", {{"number", std::to_string(++m_figures)}});
     figure.caption.emplace_back(StyledWords{label, {.strong = true}});
-    if (!isOpen()) {
+    if (!withholds()) {
       figure.caption.emplace_back(StyledWords{" "});
       append(figure.caption, inlineText(figure.description));
     }
@@ -208,10 +216,10 @@ private:
                          : std::move(drawings);
   }
 
-  /// While a question is open nothing is said of what is to be seen.
+  /// While something is to be found nothing is said of what is to be seen.
   [[nodiscard]] std::string descriptionOfFigure() const {
-    return isOpen() ? words("The scene of the step “{title}”.", {{"title", m_step->title}})
-                    : m_shown.description;
+    return withholds() ? words("The scene of the step “{title}”.", {{"title", m_step->title}})
+                       : m_shown.description;
   }
 
   /// A figure that stands in the handout already.

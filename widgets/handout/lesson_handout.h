@@ -18,6 +18,7 @@ struct FigureSize {
 };
 
 /// Draws what is shown of the scene: in space, and behind that flat, where the lesson has such a picture.
+/// Where nothing is drawn the step has no figure.
 using FigureDrawer = std::function<std::vector<Drawing>(const Figure &shown, const FigureSize &size)>;
 
 struct HandoutRequest {
@@ -29,7 +30,7 @@ struct HandoutRequest {
   /// Whether what a learner is asked is told: the right choice, what a task shows, the numbers of lines that
   /// are left to be worked out. Without them there is room to write instead.
   bool hasAnswers = false;
-  FigureDrawer drawFigure; ///< not null
+  FigureDrawer drawFigure{}; ///< not null
 };
 
 /// The file: a PDF, without its session. The same request gives the same bytes.

@@ -103,10 +103,10 @@ private:
   Chunk chunkOf(SetLine line) {
     Chunk chunk;
     chunk.height = line.ascent + line.depth;
-    for (SetThing &thing : line.things)
-      chunk.things.push_back(moved(std::move(thing), {m_frame.left, line.ascent}));
     if (const auto mark = std::exchange(m_mark, {}))
       addMark(*mark, line.ascent, chunk);
+    for (SetThing &thing : line.things)
+      chunk.things.push_back(moved(std::move(thing), {m_frame.left, line.ascent}));
     return chunk;
   }
 
@@ -122,9 +122,9 @@ private:
 
   void addMark(const Mark &mark, double ascent, Chunk &chunk) const {
     const SetWord word = setWord(mark.text, {}, m_frame.size, m_fonts);
-    for (const TextPart &part : word.parts)
+    for (const SetWord::Part &part : word.parts)
       chunk.things.push_back(
-          moved({part, mark.element, mark.order}, {m_frame.left - listIndent * m_frame.size, ascent}));
+          moved({part.text, mark.element, mark.order}, {m_frame.left - listIndent * m_frame.size, ascent}));
   }
 
   void set(const HeadingBlock &heading) {
@@ -163,7 +163,8 @@ private:
     part.start = {m_frame.left + indent, formula.ascent * part.size};
     addFillIns(part, chunk);
     const std::size_t element = m_order.add("Formula", m_frame.element, formulaEntries(part.plain));
-    chunk.things.push_back({std::move(part), element, m_order.next()});
+    std::string plain = part.plain;
+    chunk.things.push_back({std::move(part), element, m_order.next(), std::move(plain)});
     askGap(formulaGap * leading());
     push(std::move(chunk));
     askGap(formulaGap * leading());
@@ -212,8 +213,8 @@ private:
     SetLine line;
     line.ascent = size;
     line.depth = (HandoutLook::leadingEms - 1) * size;
-    for (TextPart &part : setWord(text, {.code = true}, size, m_fonts).parts)
-      line.things.push_back({std::move(part), element, m_order.next()});
+    for (SetWord::Part &part : setWord(text, {.code = true}, size, m_fonts).parts)
+      line.things.push_back({std::move(part.text), element, m_order.next(), std::move(part.copied)});
     push(chunkOf(std::move(line)));
   }
 

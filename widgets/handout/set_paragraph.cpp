@@ -175,17 +175,18 @@ private:
   /// A space is there for those who copy and read the text; it takes its room whatever its glyph's is.
   void addSpace(double width) {
     const auto *last = m_line.things.empty() ? nullptr : std::get_if<TextPart>(&m_line.things.back().content);
-    const bool goesOn = last && m_line.things.back().element == m_plan.element && last->copied.empty() &&
-                        last->face->glyph(U' ') != 0 && last->start.y == 0;
+    const bool goesOn = last && m_line.things.back().element == m_plan.element &&
+                        m_line.things.back().copied.empty() && last->face->glyph(U' ') != 0 &&
+                        last->start.y == 0;
     const math::FontFace &face = goesOn ? *last->face : faceOf({}, m_fonts);
     addText({&face, goesOn ? last->size : m_plan.size, {{face.glyph(U' '), 0}}, {m_x, 0}});
     m_x += width;
   }
 
   void addWord(const Box &box) {
-    for (TextPart part : box.word.parts) {
-      part.start.x += m_x;
-      addText(std::move(part));
+    for (SetWord::Part part : box.word.parts) {
+      part.text.start.x += m_x;
+      addText(std::move(part.text), std::move(part.copied));
     }
     if (box.look.struck) {
       const double em = m_plan.size;
@@ -196,16 +197,16 @@ private:
   }
 
   /// Goes on with the last part where that looks alike.
-  void addText(TextPart part) {
+  void addText(TextPart part, std::string copied = {}) {
     auto *last = m_line.things.empty() ? nullptr : std::get_if<TextPart>(&m_line.things.back().content);
     if (last && m_line.things.back().element == m_plan.element && last->face == part.face &&
-        last->size == part.size && last->start.y == part.start.y && last->copied.empty() &&
-        part.copied.empty()) {
+        last->size == part.size && last->start.y == part.start.y && m_line.things.back().copied.empty() &&
+        copied.empty()) {
       for (const TextPart::Glyph &glyph : part.glyphs)
         last->glyphs.push_back({glyph.glyph, glyph.x + part.start.x - last->start.x});
       return;
     }
-    m_line.things.push_back({std::move(part), m_plan.element, m_order.next()});
+    m_line.things.push_back({std::move(part), m_plan.element, m_order.next(), std::move(copied)});
   }
 
   void addFormula(FormulaPart part) {
@@ -215,7 +216,8 @@ private:
     m_line.depth = std::max(m_line.depth, part.formula->depth * part.size + gap);
     m_x += part.formula->width * part.size;
     const std::size_t element = m_order.add("Formula", m_plan.element, formulaEntries(part.plain));
-    m_line.things.push_back({std::move(part), element, m_order.next()});
+    std::string plain = part.plain;
+    m_line.things.push_back({std::move(part), element, m_order.next(), std::move(plain)});
   }
 
   const ParagraphPlan &m_plan;
@@ -225,7 +227,7 @@ private:
   double m_x = 0;
 };
 
-/// How many times as wide the spaces of a line are, so that it fills the width.
+/// How many times as wide the spaces of a line would be that fills the width.
 double stretchOf(const Box *begin, const Box *end, const ParagraphPlan &plan) {
   double width = 0;
   double spaces = 0;
@@ -233,7 +235,7 @@ double stretchOf(const Box *begin, const Box *end, const ParagraphPlan &plan) {
     width += box->item.width;
     spaces += box != begin ? box->item.space : 0;
   }
-  return spaces > 0 ? std::clamp((plan.width - width) / spaces, 1 - mostShrinking, widestSpace) : 1;
+  return spaces > 0 ? std::max((plan.width - width) / spaces, 1 - mostShrinking) : 1;
 }
 
 } // namespace
@@ -270,9 +272,10 @@ std::vector<SetLine> setParagraph(const InlineText &text, const ParagraphPlan &p
     const Box *begin = boxes.data() + starts[i];
     const Box *end = boxes.data() + starts[i + 1];
     const bool isLast = starts[i + 1] == boxes.size();
-    const bool isFilled = plan.ends == LineEnds::Justified && !isLast && !boxes[starts[i + 1]].item.mustBegin;
-    lines.push_back(
-        LineMaker(plan, fonts, order).make(begin, end, isFilled ? stretchOf(begin, end, plan) : 1, isLast));
+    const bool endsShort = isLast || boxes[starts[i + 1]].item.mustBegin;
+    const double mostStretch = plan.ends == LineEnds::Ragged || endsShort ? 1 : widestSpace;
+    const double stretch = std::min(stretchOf(begin, end, plan), mostStretch);
+    lines.push_back(LineMaker(plan, fonts, order).make(begin, end, stretch, isLast));
   }
   return lines;
 }

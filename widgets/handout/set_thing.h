@@ -26,6 +26,7 @@ struct SetThing {
   Content content;
   std::optional<std::size_t> element{}; ///< nothing: it says nothing, as a rule between rows
   std::size_t order = 0;                ///< see PdfElement
+  std::string copied{}; ///< what is read and copied of it; empty: the characters of its glyphs
 };
 
 /// The same farther to the right and down.

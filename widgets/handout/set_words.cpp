@@ -77,8 +77,8 @@ public:
   SetWord makeIndex(std::string_view text, std::string copied) {
     m_size *= indexScale;
     SetWord word = make(text);
-    for (TextPart &part : word.parts)
-      part.start.y += indexDrop / indexScale * m_size;
+    for (SetWord::Part &part : word.parts)
+      part.text.start.y += indexDrop / indexScale * m_size;
     if (!word.parts.empty())
       word.parts.front().copied = std::move(copied);
     return word;
@@ -103,7 +103,7 @@ private:
     TextPart part{&face, size, {}, {m_word.width, drop}};
     for (const math::ShapedGlyph &glyph : shaped.glyphs)
       part.glyphs.push_back({glyph.glyph, glyph.x * size});
-    m_word.parts.push_back(std::move(part));
+    m_word.parts.push_back({std::move(part)});
     m_word.width += shaped.width * size;
   }
 

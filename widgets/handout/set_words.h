@@ -15,7 +15,11 @@ struct HandoutFonts {
 
 /// A word in its place on a line: the origin is the left end of its baseline.
 struct SetWord {
-  std::vector<TextPart> parts;
+  struct Part {
+    TextPart text;
+    std::string copied{}; ///< what is read and copied of it; empty: the characters of its glyphs
+  };
+  std::vector<Part> parts;
   double width = 0;
 };
 

@@ -58,9 +58,9 @@ private:
     const double size = marginType * m_look.typeSize;
     std::vector<TextPart> parts;
     const auto put = [&](const SetWord &word, glm::dvec2 at) {
-      for (TextPart part : word.parts) {
-        part.start += at;
-        parts.push_back(std::move(part));
+      for (const SetWord::Part &part : word.parts) {
+        parts.push_back(part.text);
+        parts.back().start += at;
       }
     };
     if (page > 0)
@@ -110,9 +110,10 @@ private:
     m_marks = 0;
   }
 
-  /// Things of one element that follow one another on a page are one piece of it.
+  /// Things of one element that follow one another on a page are one piece of it, but for what is copied as
+  /// something else.
   void write(const SetThing &thing, std::size_t page, PdfContent &content) {
-    if (!m_isMarked || m_marked != thing.element) {
+    if (!m_isMarked || m_marked != thing.element || m_isCopied || !thing.copied.empty()) {
       endMark(content);
       beginMark(thing, page, content);
     }
@@ -126,10 +127,13 @@ private:
   void beginMark(const SetThing &thing, std::size_t page, PdfContent &content) {
     m_isMarked = true;
     m_marked = thing.element;
+    m_isCopied = !thing.copied.empty();
     if (!thing.element)
       return content.beginMark(decoration);
-    content.beginMark("/" + m_document.elements[*thing.element].role + "<</MCID " + std::to_string(m_marks) +
-                      ">>");
+    // Readers look for what is copied in spans alone.
+    const std::string tag = m_isCopied ? "Span" : m_document.elements[*thing.element].role;
+    content.beginMark("/" + tag + "<</MCID " + std::to_string(m_marks) +
+                      (m_isCopied ? "/ActualText" + pdfText(thing.copied) : "") + ">>");
     m_document.contents.push_back({*thing.element, page, m_marks++, thing.order});
   }
 
@@ -156,6 +160,7 @@ private:
   PdfFonts m_embedded;
   PdfDocument m_document;
   std::optional<std::size_t> m_marked;       ///< the element of the mark that is open
+  bool m_isCopied = false;                   ///< it is copied as something else
   bool m_isMarked = false;                   ///< whether one is
   int m_marks = 0;                           ///< of the page
   std::map<std::size_t, PixelBox> m_figures; ///< the boxes of figures, by their elements, in points, y up
