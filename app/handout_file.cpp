@@ -81,7 +81,12 @@ std::string handoutFile(const Lesson &lesson, const Session &session, const Hand
       [&](const Figure &shown, const FigureSize &size) { return figures.draw(shown, size); }};
   const math::TextFaces words = textFaces();
   std::string file = handoutOf(request, {typesetter.fonts(), words});
-  return choices.isAnonymous ? file : withSession(std::move(file), writeSession(session));
+  if (choices.isAnonymous)
+    return file;
+  Session carried = session;
+  if (!choices.steps.empty())
+    carried.step = static_cast<int>(choices.steps.front());
+  return withSession(std::move(file), writeSession(carried));
 }
 
 } // namespace halfspace

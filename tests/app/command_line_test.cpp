@@ -48,7 +48,7 @@ TEST_F(Program, ManualPageAndCompletion_KnowEveryOptionThatIsInAHelp) {
   page = std::regex_replace(page, std::regex(R"(\\-)"), "-");
   const std::set<std::string> inPage = optionsIn(page);
   for (const std::string command :
-       {"", "lessons", "new-lesson", "constructions", "check", "explain", "render", "eval"}) {
+       {"", "lessons", "new-lesson", "constructions", "check", "explain", "render", "handout", "eval"}) {
     const Ran completed = run("complete-words " + command + " --");
     const std::set<std::string> offered = optionsIn(completed.out);
     for (const std::string &option : optionsIn(run(command + " --help").out)) {

@@ -3,19 +3,25 @@
 #include "app/application.h"
 #include "app/library/own_lesson_folders.h"
 #include "app/standard_streams.h"
+#include "app/work/handout_dialog.h"
+#include "app/work/handout_export.h"
 #include "app/work/known_file.h"
 #include "app/work/picture_export.h"
 #include "lessons/scene/file/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/carriers/qr/qr_code.h"
 
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QUrl>
@@ -194,6 +200,42 @@ private slots:
     QTRY_COMPARE(other.model().lesson().id, std::string("signed-distance"));
     QVERIFY(other.model().session() == before);
     QVERIFY(!other.window.files().file());
+  }
+
+  void handout_ofTheChosenSteps_saved_opensItsScene() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("handout.pdf");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Lesson &lesson = fixture.model().lesson();
+    HandoutDialog dialog(lesson, 1, {}, &fixture.window);
+    QCOMPARE(dialog.choices().steps, allStepsOf(lesson));
+    dialog.findChild<QPushButton *>("thisStep")->click();
+    QCOMPARE(dialog.choices().steps, std::vector<std::size_t>{1});
+    dialog.findChild<QComboBox *>("columns")->setCurrentIndex(1);
+    QCOMPARE(dialog.choices().columns, 2);
+    auto &save = *dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save);
+    QVERIFY(save.isEnabled());
+    const HandoutChoices choices = dialog.choices();
+    dialog.findChild<QListWidget *>("steps")->item(1)->setCheckState(Qt::Unchecked);
+    QVERIFY(!save.isEnabled()); // an empty one is for nobody
+
+    const Session before = fixture.model().session();
+    QVERIFY(fixture.window.findChild<HandoutExport *>()->saveTo(file, choices));
+    WindowFixture other("ray-sphere");
+    QVERIFY(other.ready);
+    drop(other.window, file);
+    QTRY_COMPARE(other.model().lesson().id, std::string("signed-distance"));
+    QVERIFY(other.model().session().scene == before.scene);
+    QCOMPARE(other.model().session().step, 1);
+  }
+
+  void handout_thatCannotBeWritten_saysWhy() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const BoxCloser box;
+    QVERIFY(!fixture.window.findChild<HandoutExport *>()->saveTo("/nowhere/at/all.pdf", {{0}}));
+    QTRY_VERIFY2(box.text.contains("/nowhere/at/all.pdf"), qPrintable(box.text));
   }
 
   void picture_withoutAScene_opened_saysSo_andLeavesTheSession() {

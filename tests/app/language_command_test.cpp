@@ -6,15 +6,16 @@ namespace halfspace {
 namespace {
 
 /// What commands, their arguments, the values of these and objects of our lessons are called.
-const test::Names names{
-    "LESSON",  "FILE",   "FOLDER",    "ID",           "NAME",    "VALUE",         "INT",
-    "FORMAT",  "THEME",  "Halfspace", "halfspace",    "subject", "output",        "paths",
-    "file",    "size",   "distance",  "lessons",      "new",     "constructions", "check",
-    "explain", "render", "eval",      "text",         "latex",   "json",          "light",
-    "dark",    "print",  "projector", "WIDTHxHEIGHT", "NUMBER",  "nobody",        "nowhere",
-    "LENGTH",  "dashed", "paler",     "left",         "out",     "width",         "hidden",
-    "mathml",  "shapes", "letters",   "changed",      "steps",   "rows",          "lesson",
-    "step",    "row",    "frame",     "CSV",          "ray",     "sphere",        "JSON"};
+const test::Names names{"LESSON",    "FILE",          "FOLDER",  "ID",        "NAME",      "VALUE",
+                        "INT",       "FORMAT",        "THEME",   "Halfspace", "halfspace", "subject",
+                        "output",    "paths",         "file",    "size",      "distance",  "lessons",
+                        "new",       "constructions", "check",   "explain",   "render",    "eval",
+                        "text",      "latex",         "json",    "light",     "dark",      "print",
+                        "projector", "WIDTHxHEIGHT",  "NUMBER",  "nobody",    "nowhere",   "LENGTH",
+                        "dashed",    "paler",         "left",    "out",       "width",     "hidden",
+                        "mathml",    "shapes",        "letters", "changed",   "steps",     "rows",
+                        "lesson",    "step",          "row",     "frame",     "CSV",       "ray",
+                        "sphere",    "JSON",          "handout", "letter",    "NUMBERS",   "paper"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
@@ -29,7 +30,8 @@ protected:
 
 TEST_F(ProgramInAnotherLanguage, Help_SaysNothingInEnglish) {
   expectTranslated("--help");
-  for (const char *command : {"lessons", "new-lesson", "constructions", "check", "explain", "render", "eval"})
+  for (const char *command :
+       {"lessons", "new-lesson", "constructions", "check", "explain", "render", "handout", "eval"})
     expectTranslated(command + std::string(" --help"));
 }
 
@@ -61,6 +63,13 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render ray-sphere --steps -o a.png",
                                 "render ray-sphere --rows nowhere.csv -o a.png",
                                 "render ray-sphere nowhere --step 99 -o '{lesson}.png'",
+                                "handout x",
+                                "handout x -o a.pdf --steps x",
+                                "handout x -o a.pdf --paper a3",
+                                "handout x -o a.pdf --hidden no",
+                                "handout nowhere -o a.pdf",
+                                "handout ray-sphere -o a.pdf --steps 99",
+                                "handout ray-sphere -o no/where.pdf",
                                 "explain x --format xml",
                                 "lessons explain x",
                                 "x explain",

@@ -2,7 +2,7 @@
 #include "tests/bench/durations.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/timed_command.h"
-#include "tests/exports/lesson_drawings.h"
+#include "tests/handout/handouts.h"
 #include "widgets/exports/format.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@ namespace {
 constexpr double mostMilliseconds = 20;
 constexpr double mostKilobytes = 40;
 constexpr double leastFiguresASecond = 50;
+constexpr double mostHandoutMilliseconds = 500;
 constexpr int rounds = 15;
 
 /// The whole figure of a lesson: the median of its times, from its shapes to the file.
@@ -56,6 +57,22 @@ void measureCommand(const ExportFormat &format) {
              time ? 1000 * static_cast<double>(figures) / *time : 0, leastFiguresASecond);
 }
 
+/// The longest lesson as a handout, from its words to the file: the median of its times.
+void measureHandout() {
+  const auto longest =
+      std::max_element(library().lessons.begin(), library().lessons.end(),
+                       [](const Lesson &a, const Lesson &b) { return a.text.size() < b.text.size(); });
+  const WholeHandout handout(*longest);
+  Durations durations;
+  for (int i = 0; i < rounds; ++i) {
+    const auto start = Clock::now();
+    if (handoutOf(handout.request(), handoutFonts()).empty())
+      return;
+    durations.add(millisecondsSince(start));
+  }
+  printGoal("handout of " + longest->id + ", ms", durations.median(), mostHandoutMilliseconds);
+}
+
 int run() {
   std::printf("\nfigures of vectors\n");
   for (const ExportFormat &format : exportFormats()) {
@@ -63,6 +80,7 @@ int run() {
     measureBatch(format);
     measureCommand(format);
   }
+  measureHandout();
   return library().lessons.empty() ? 1 : 0;
 }
 

@@ -95,29 +95,50 @@ std::string nameOf(const SetThing &thing) {
       thing.content);
 }
 
-TEST_P(LessonHandouts, HaveNothingBeyondTheirMargins) {
-  // Slanted letters lean over, and arrows stand above, by less than this.
-  constexpr double slack = 2.5;
-  forEachLook([&](const HandoutRequest &request) {
-    const HandoutLook look = handoutLook(request.paper, request.columns);
-    const HandoutText text = handoutText(request, look, math::fonts());
-    ReadingOrder order;
-    const std::size_t root = order.add("Document", {});
-    auto front = setBlocks(text.front, look.textWidth(), look, handoutFonts(), order, root);
-    auto body = setBlocks(text.body, look.columnWidth(), look, handoutFonts(), order, root);
-    for (const FilledPage &page : fillPages(std::move(front), std::move(body), look)) {
-      ASSERT_FALSE(page.empty());
-      EXPECT_FALSE(page.back().chunk.keepsWithNext); // as a heading does
-      for (const PlacedChunk &placed : page)
-        for (const SetThing &thing : placed.chunk.things)
-          for (const math::Rectangle &box : inkOf(moved(thing, placed.at))) {
-            EXPECT_GE(box.x, look.side - slack);
-            EXPECT_LE(box.right(), look.page.x - look.side + slack) << nameOf(thing);
-            EXPECT_GE(box.y, look.top - slack);
-            EXPECT_LE(box.bottom(), look.page.y - look.bottom + slack);
-          }
-    }
-  });
+/// Lengths of letters that lean over and of arrows that stand above are less than this.
+constexpr double slack = 2.5;
+
+void expectWithinMargins(const HandoutRequest &request) {
+  const HandoutLook look = handoutLook(request.paper, request.columns);
+  const HandoutText text = handoutText(request, look, math::fonts());
+  ReadingOrder order;
+  const std::size_t root = order.add("Document", {});
+  auto front = setBlocks(text.front, look.textWidth(), look, handoutFonts(), order, root);
+  auto body = setBlocks(text.body, look.columnWidth(), look, handoutFonts(), order, root);
+  for (const FilledPage &page : fillPages(std::move(front), std::move(body), look)) {
+    ASSERT_FALSE(page.empty());
+    EXPECT_FALSE(page.back().chunk.keepsWithNext); // as a heading does
+    for (const PlacedChunk &placed : page)
+      for (const SetThing &thing : placed.chunk.things)
+        for (const math::Rectangle &box : inkOf(moved(thing, placed.at))) {
+          EXPECT_GE(box.x, look.side - slack) << nameOf(thing);
+          EXPECT_LE(box.right(), look.page.x - look.side + slack) << nameOf(thing);
+          EXPECT_GE(box.y, look.top - slack) << nameOf(thing);
+          EXPECT_LE(box.bottom(), look.page.y - look.bottom + slack) << nameOf(thing);
+        }
+  }
+}
+
+TEST_P(LessonHandouts, HaveNothingBeyondTheirMargins) { forEachLook(expectWithinMargins); }
+
+TEST(Handout, OfWhatIsNestedDeep_AndOfWhatIsTooLong_StaysWithinItsMargins) {
+  std::string words;
+  for (int depth = 0; depth < 12; ++depth)
+    words += std::string(static_cast<std::size_t>(2 * depth), ' ') + "- deep and deeper\n";
+  words += "\n| " + std::string(300, 'x') + " | y |\n|---|---|\n| z | z |\n\n    " + std::string(300, 'c') +
+           "\n\nAn address: " + std::string(300, 'a') + "\n\n$$" + std::string(150, 'b') +
+           "$$\n\nIn a line $" + std::string(150, 'd') + "$ too.\n";
+  const auto lesson = parseLesson("---\nid: own\ntitle: " + std::string(200, 't') +
+                                      "\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n## One\n" + words +
+                                      "\n```lines\nnone\n```\n",
+                                  "own.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  const WholeHandout handout(*lesson);
+  for (const int columns : {1, 2}) {
+    HandoutRequest request = handout.request();
+    request.columns = columns;
+    expectWithinMargins(request);
+  }
 }
 
 std::string withoutSpaces(std::string text) {

@@ -138,7 +138,7 @@ private:
   }
 
   void add(const Task &task, HandoutBlocks &blocks) {
-    const std::string label = words("Exercise {number}.", {{"number", std::to_string(++m_tasks)}});
+    const std::string label = words("Exercise {number}.", {{"number", std::to_string(++m_counts.tasks)}});
     blocks.push_back({labelled(label, sentence(task.instruction))});
     if (!m_request.hasAnswers || task.answer.isEmpty())
       return;
@@ -147,7 +147,7 @@ private:
   }
 
   void add(const Prediction &prediction, HandoutBlocks &blocks) {
-    const std::string label = words("Question {number}.", {{"number", std::to_string(++m_questions)}});
+    const std::string label = words("Question {number}.", {{"number", std::to_string(++m_counts.questions)}});
     blocks.push_back({labelled(label, sentence(prediction.question)), true});
     const std::string right =
         m_request.hasAnswers ? rightChoice(prediction, m_request.evaluation) : std::string();
@@ -187,7 +187,7 @@ private:
     if (figure.drawings.empty())
       return;
     blocks.insert(place == blocks.end() ? place : place + 1, {std::move(figure)});
-    m_printed.push_back({marks, m_figures});
+    m_printed.push_back({marks, m_counts.figures});
   }
 
   [[nodiscard]] FigureBlock newFigure() {
@@ -195,7 +195,7 @@ private:
     const bool isPair = m_request.lesson.flat && beside >= leastFigure;
     const double width = isPair ? beside : std::min(m_look.columnWidth(), widestFigure);
     FigureBlock figure{drawn(width), descriptionOfFigure(), {}};
-    const std::string label = words("Figure {number}.", {{"number", std::to_string(++m_figures)}});
+    const std::string label = words("Figure {number}.", {{"number", std::to_string(++m_counts.figures)}});
     figure.caption.emplace_back(StyledWords{label, {.strong = true}});
     if (!withholds()) {
       figure.caption.emplace_back(StyledWords{" "});
@@ -222,6 +222,12 @@ private:
                        : m_shown.description;
   }
 
+  /// How many were told so far.
+  struct Counts {
+    int tasks = 0;
+    int questions = 0;
+    int figures = 0;
+  };
   /// A figure that stands in the handout already.
   struct Printed {
     std::vector<Mark> marks;
@@ -238,7 +244,7 @@ private:
   std::size_t m_line = 0;  ///< the first that is not told yet
   std::size_t m_block = 0; ///< likewise, of lines
   std::vector<Printed> m_printed;
-  int m_tasks = 0, m_questions = 0, m_figures = 0;
+  Counts m_counts;
 };
 
 } // namespace

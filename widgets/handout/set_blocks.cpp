@@ -1,11 +1,11 @@
 #include "widgets/handout/set_blocks.h"
 
 #include "lessons/text.h"
+#include "widgets/handout/set_figure.h"
 #include "widgets/handout/set_table.h"
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 namespace halfspace {
@@ -23,7 +23,6 @@ constexpr std::array headingGapsAbove{0.0, 1.5, 0.9};
 constexpr double headingGapBelow = 0.45;
 constexpr double formulaGap = 0.45;
 constexpr double figureGap = 0.9;
-constexpr double captionGap = 0.35;
 constexpr double ruleGap = 0.8;
 constexpr double writtenLine = 1.7; ///< of handwriting
 
@@ -32,6 +31,8 @@ constexpr double listIndent = 1.5;
 constexpr double quoteIndent = 1.5;
 constexpr double noteIndent = 1.5;
 constexpr double formulaIndent = 1.8;
+/// Nothing is set in from the sides that would be narrower, in ems.
+constexpr double narrowest = 12;
 
 /// A formula or a figure is at most this part of a column high.
 constexpr double mostHeight = 0.9;
@@ -78,7 +79,9 @@ private:
   /// What is inside of something else, set in from both sides.
   void setWithin(const HandoutBlocks &blocks, const char *role, glm::dvec2 indents, double size) {
     const Frame around = m_frame;
-    const glm::dvec2 ems = indents * around.size;
+    glm::dvec2 ems = indents * around.size;
+    if (around.width - ems.x - ems.y < narrowest * around.size)
+      ems = {}; // what is nested so deep that no words would find room stands below the other
     m_frame = {around.left + ems.x, around.width - ems.x - ems.y, size, m_order.add(role, around.element)};
     setAll(blocks);
     m_frame = around;
@@ -263,67 +266,14 @@ private:
   }
 
   void set(const FigureBlock &figure) {
-    Chunk chunk;
-    chunk.floats = true;
-    const std::size_t element = m_order.add("Figure", m_frame.element);
-    for (std::size_t begin = 0; begin < figure.drawings.size();) {
-      chunk.height += begin > 0 ? captionGap * leading() : 0;
-      const std::size_t end = endOfRow(figure.drawings, begin);
-      addRow({figure.drawings.begin() + static_cast<std::ptrdiff_t>(begin),
-              figure.drawings.begin() + static_cast<std::ptrdiff_t>(end)},
-             figure.description, element, chunk);
-      begin = end;
-    }
-    if (!figure.caption.empty())
-      addCaption(figure.caption, chunk);
+    ParagraphPlan caption = plan(m_frame.element, smallType * m_frame.size);
+    caption.ends = LineEnds::Ragged;
+    Chunk chunk = setFigure(figure, caption, m_fonts, m_order);
+    for (SetThing &thing : chunk.things)
+      thing = moved(std::move(thing), {m_frame.left, 0});
     askGap(figureGap * leading());
     push(std::move(chunk));
     askGap(figureGap * leading());
-  }
-
-  /// Behind as many drawings as stand beside each other.
-  [[nodiscard]] std::size_t endOfRow(const std::vector<Drawing> &drawings, std::size_t begin) const {
-    std::size_t end = begin + 1;
-    double width = drawings[begin].size.x;
-    while (end < drawings.size() && width + drawings[end].size.x <= m_frame.width)
-      width += drawings[end++].size.x;
-    return end;
-  }
-
-  /// They stand on one line, with equal gaps.
-  void addRow(std::span<const Drawing> drawings, const std::string &description, std::size_t element,
-              Chunk &chunk) {
-    double free = m_frame.width;
-    double height = 0;
-    for (const Drawing &drawing : drawings) {
-      free -= drawing.size.x;
-      height = std::max(height, drawing.size.y);
-    }
-    const double gap = free / static_cast<double>(drawings.size() + 1);
-    double left = m_frame.left + gap;
-    for (const Drawing &drawing : drawings) {
-      auto described = std::make_shared<Drawing>(drawing);
-      described->description = description;
-      chunk.things.push_back(
-          {FigurePart{std::move(described), {left, chunk.height + height - drawing.size.y}}, element,
-           m_order.next()});
-      left += drawing.size.x + gap;
-    }
-    chunk.height += height;
-  }
-
-  /// A caption of one line stands in the middle.
-  void addCaption(const InlineText &caption, Chunk &chunk) {
-    ParagraphPlan lines = plan(m_order.add("Caption", m_frame.element), smallType * m_frame.size);
-    lines.ends = LineEnds::Ragged;
-    std::vector<SetLine> set = setParagraph(caption, lines, m_fonts, m_order);
-    chunk.height += captionGap * leading();
-    const double inset = set.size() == 1 ? (m_frame.width - set.front().width) / 2 : 0;
-    for (SetLine &line : set) {
-      for (SetThing &thing : line.things)
-        chunk.things.push_back(moved(std::move(thing), {m_frame.left + inset, chunk.height + line.ascent}));
-      chunk.height += line.ascent + line.depth;
-    }
   }
 
   void set(const NoteBlock &note) {

@@ -113,7 +113,9 @@ private:
   /// Things of one element that follow one another on a page are one piece of it, but for what is copied as
   /// something else.
   void write(const SetThing &thing, std::size_t page, PdfContent &content) {
-    if (!m_isMarked || m_marked != thing.element || m_isCopied || !thing.copied.empty()) {
+    const bool goesOn =
+        m_mark && m_mark->element == thing.element && !m_mark->isCopied && thing.copied.empty();
+    if (!goesOn) {
       endMark(content);
       beginMark(thing, page, content);
     }
@@ -125,20 +127,18 @@ private:
   }
 
   void beginMark(const SetThing &thing, std::size_t page, PdfContent &content) {
-    m_isMarked = true;
-    m_marked = thing.element;
-    m_isCopied = !thing.copied.empty();
+    m_mark = OpenMark{thing.element, !thing.copied.empty()};
     if (!thing.element)
       return content.beginMark(decoration);
     // Readers look for what is copied in spans alone.
-    const std::string tag = m_isCopied ? "Span" : m_document.elements[*thing.element].role;
+    const std::string tag = m_mark->isCopied ? "Span" : m_document.elements[*thing.element].role;
     content.beginMark("/" + tag + "<</MCID " + std::to_string(m_marks) +
-                      (m_isCopied ? "/ActualText" + pdfText(thing.copied) : "") + ">>");
+                      (m_mark->isCopied ? "/ActualText" + pdfText(thing.copied) : "") + ">>");
     m_document.contents.push_back({*thing.element, page, m_marks++, thing.order});
   }
 
   void endMark(PdfContent &content) {
-    if (std::exchange(m_isMarked, false))
+    if (std::exchange(m_mark, {}))
       content.endMark();
   }
 
@@ -151,6 +151,12 @@ private:
         figureEntries(figure.drawing->description, pdfBox(box.low, box.high));
   }
 
+  /// A mark that is begun and not ended.
+  struct OpenMark {
+    std::optional<std::size_t> element;
+    bool isCopied; ///< as something else than its glyphs
+  };
+
   const HandoutText &m_handout;
   const HandoutLook &m_look;
   const HandoutFonts &m_fonts;
@@ -159,9 +165,7 @@ private:
   std::vector<std::vector<TextPart>> m_margins; ///< by pages
   PdfFonts m_embedded;
   PdfDocument m_document;
-  std::optional<std::size_t> m_marked;       ///< the element of the mark that is open
-  bool m_isCopied = false;                   ///< it is copied as something else
-  bool m_isMarked = false;                   ///< whether one is
+  std::optional<OpenMark> m_mark;
   int m_marks = 0;                           ///< of the page
   std::map<std::size_t, PixelBox> m_figures; ///< the boxes of figures, by their elements, in points, y up
 };
