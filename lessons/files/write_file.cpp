@@ -88,18 +88,20 @@ std::string randomName() {
 }
 
 /// A new file in a folder, which is removed again unless it takes the target's name.
-class UnfinishedFile {
+class PartFile {
 public:
-  UnfinishedFile(int folder, mode_t mode) : m_folder(folder), m_name(randomName()) {
+  PartFile(int folder, mode_t mode) : m_folder(folder), m_name(randomName()) {
     m_out =
         Descriptor(checked(::openat(folder, m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode)));
   }
-  ~UnfinishedFile() {
+  ~PartFile() {
     if (!m_name.empty())
       ::unlinkat(m_folder, m_name.c_str(), 0);
   }
-  UnfinishedFile(const UnfinishedFile &) = delete;
-  UnfinishedFile &operator=(const UnfinishedFile &) = delete;
+  PartFile(const PartFile &) = delete;
+  PartFile &operator=(const PartFile &) = delete;
+
+  [[nodiscard]] const std::string &name() const { return m_name; }
 
   void write(std::string_view content) {
     if (const int error = writeAll(m_out.get(), content))
@@ -136,46 +138,110 @@ private:
   Descriptor m_out;
 };
 
-void replace(const fs::path &target, const std::optional<struct stat> &old, std::string_view content,
-             Readers readers) {
-  if (old && (old->st_mode & anyoneWrites) == 0)
-    throw Failure{words("it is read-only")}; // to the superuser too
-  if (old && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
-    fail(errno);
-  const fs::path parent = target.parent_path();
-  const Descriptor folder(
-      checked(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
-  const HeldSignals whole; // who is told to end would leave a file of a strange name behind
-  UnfinishedFile unfinished(folder.get(), old || readers == Readers::OwnerOnly ? ownerMode : usualMode);
-  unfinished.write(content);
-  if (old)
-    unfinished.takeRightsOf(*old);
-  unfinished.finishAs(target.filename());
+Problem problemOf(const fs::path &file, const Failure &failure) {
+  return {words("This cannot be written: {reason}.", {{"reason", failure.reason}}), file.string(), 0, ""};
 }
 
-void writeOrThrow(const fs::path &file, std::string_view content, Readers readers) {
-  if (file.empty())
-    throw Failure{words("no file is named")};
-  const auto old = whatIsAt(file);
-  if (old && (S_ISCHR(old->st_mode) || S_ISFIFO(old->st_mode)))
-    return writeAsItIs(file, content);
-  if ((old && S_ISDIR(old->st_mode)) || !file.has_filename())
-    throw Failure{words("it is a folder")};
-  if (old && !S_ISREG(old->st_mode))
-    throw Failure{words("it is no file but a device or a socket")};
-  replace(targetOf(file), old, content, readers);
-}
+bool isStream(const struct stat &found) { return S_ISCHR(found.st_mode) || S_ISFIFO(found.st_mode); }
 
 } // namespace
 
-std::optional<Problem> writeFile(const fs::path &file, std::string_view content, Readers readers) {
+class UnfinishedFile::Impl {
+public:
+  Impl(const fs::path &file, Readers readers)
+      : m_file(file), m_old(replaceable(file)), m_target(targetOf(file)), m_folder(openFolder()),
+        m_part(m_folder.get(), m_old || readers == Readers::OwnerOnly ? ownerMode : usualMode) {}
+
+  [[nodiscard]] const fs::path &file() const { return m_file; }
+  [[nodiscard]] fs::path path() const { return m_target.parent_path() / m_part.name(); }
+
+  void write(std::string_view part) { m_part.write(part); }
+
+  void finish() {
+    if (m_old)
+      m_part.takeRightsOf(*m_old);
+    m_part.finishAs(m_target.filename());
+  }
+
+private:
+  /// What stands there now: nothing, or a file that may be replaced.
+  static std::optional<struct stat> replaceable(const fs::path &file) {
+    if (file.empty())
+      throw Failure{words("no file is named")};
+    const auto old = whatIsAt(file);
+    if ((old && S_ISDIR(old->st_mode)) || !file.has_filename())
+      throw Failure{words("it is a folder")};
+    if (old && !S_ISREG(old->st_mode))
+      throw Failure{words("it is no file but a device or a socket")};
+    if (old && (old->st_mode & anyoneWrites) == 0)
+      throw Failure{words("it is read-only")}; // to the superuser too
+    return old;
+  }
+
+  [[nodiscard]] Descriptor openFolder() const {
+    if (m_old && ::faccessat(AT_FDCWD, m_target.c_str(), W_OK, AT_EACCESS) != 0)
+      fail(errno);
+    const fs::path parent = m_target.parent_path();
+    return Descriptor(
+        checked(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+  }
+
+  fs::path m_file; ///< as it was named
+  std::optional<struct stat> m_old;
+  fs::path m_target;
+  Descriptor m_folder;
+  PartFile m_part;
+};
+
+UnfinishedFile::UnfinishedFile(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+UnfinishedFile::UnfinishedFile(UnfinishedFile &&) noexcept = default;
+UnfinishedFile &UnfinishedFile::operator=(UnfinishedFile &&) noexcept = default;
+UnfinishedFile::~UnfinishedFile() = default;
+
+Result<UnfinishedFile> UnfinishedFile::begin(const fs::path &file, Readers readers) {
   try {
-    writeOrThrow(file, content, readers);
+    return UnfinishedFile(std::make_unique<Impl>(file, readers));
+  } catch (const Failure &failure) {
+    return problemOf(file, failure);
+  }
+}
+
+fs::path UnfinishedFile::path() const { return m_impl->path(); }
+
+std::optional<Problem> UnfinishedFile::write(std::string_view part) {
+  try {
+    m_impl->write(part);
     return {};
   } catch (const Failure &failure) {
-    return Problem{words("This cannot be written: {reason}.", {{"reason", failure.reason}}), file.string(), 0,
-                   ""};
+    return problemOf(m_impl->file(), failure);
   }
+}
+
+std::optional<Problem> UnfinishedFile::finish() {
+  try {
+    m_impl->finish();
+    return {};
+  } catch (const Failure &failure) {
+    return problemOf(m_impl->file(), failure);
+  }
+}
+
+std::optional<Problem> writeFile(const fs::path &file, std::string_view content, Readers readers) {
+  try {
+    if (const auto there = file.empty() ? std::nullopt : whatIsAt(file); there && isStream(*there)) {
+      writeAsItIs(file, content);
+      return {};
+    }
+  } catch (const Failure &failure) {
+    return problemOf(file, failure);
+  }
+  const HeldSignals whole; // who is told to end would leave a file of a strange name behind
+  auto unfinished = UnfinishedFile::begin(file, readers);
+  if (!unfinished)
+    return unfinished.problem();
+  if (auto problem = unfinished->write(content))
+    return problem;
+  return unfinished->finish();
 }
 
 bool isUnfinishedFile(const fs::path &file) {

@@ -389,5 +389,49 @@ TEST(UnfinishedFile, ByItsName_IsKnown) {
     EXPECT_FALSE(isUnfinishedFile(other)) << other;
 }
 
+TEST_F(WriteFile, Unfinished_HasTheTargetsNameOnlyWhenItIsWhole) {
+  write("a", oldText);
+  {
+    auto file = UnfinishedFile::begin(inFolder("a"));
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(file->write(newText));
+    EXPECT_EQ(contentOf(inFolder("a")), oldText);
+    EXPECT_EQ(contentOf(file->path()), newText);
+    EXPECT_TRUE(isUnfinishedFile(file->path()));
+    EXPECT_FALSE(file->write(newText));
+    EXPECT_FALSE(file->finish());
+  }
+  EXPECT_EQ(contentOf(inFolder("a")), newText + newText);
+  expectOnly({"a"});
+}
+
+TEST_F(WriteFile, Unfinished_IsWrittenByAnotherProgramToo_WithTheRightsOfTheOldOne) {
+  write("a", oldText);
+  fs::permissions(inFolder("a"), fs::perms(0640));
+  auto file = UnfinishedFile::begin(inFolder("a"));
+  ASSERT_TRUE(file);
+  EXPECT_EQ(shell("cp /proc/self/comm '" + file->path().string() + "' >.out 2>.err").status, 0);
+  EXPECT_FALSE(file->finish());
+  EXPECT_EQ(contentOf(inFolder("a")), "cp\n");
+  EXPECT_EQ(modeOf(inFolder("a")), 0640U);
+}
+
+TEST_F(WriteFile, Unfinished_ThatIsGivenUp_LeavesNothing) {
+  {
+    auto file = UnfinishedFile::begin(inFolder("a"));
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(file->write(newText));
+  }
+  expectOnly({});
+}
+
+TEST_F(WriteFile, Unfinished_InPlaceOfAPipeOrInNoFolder_IsRefusedAtTheBeginning) {
+  ASSERT_EQ(mkfifo(inFolder("pipe").c_str(), 0600), 0);
+  EXPECT_FALSE(UnfinishedFile::begin(inFolder("pipe")));
+  const auto nowhere = UnfinishedFile::begin(inFolder("no/a"));
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.problem().file, inFolder("no/a").string());
+}
+
 } // namespace
 } // namespace halfspace
