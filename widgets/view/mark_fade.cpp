@@ -1,20 +1,10 @@
 #include "widgets/view/mark_fade.h"
 
-#include <set>
+#include "lessons/figure/added_marks.h"
+
 #include <utility>
 
 namespace halfspace {
-
-namespace {
-
-std::set<std::string> idsIn(const Figure &figure) {
-  std::set<std::string> ids;
-  for (const Mark &mark : figure.marks)
-    ids.insert(baseOf(mark).id);
-  return ids;
-}
-
-} // namespace
 
 MarkFade::MarkFade(QObject *parent) : QObject(parent) {
   m_animation.setStartValue(0.0);
@@ -38,9 +28,7 @@ void MarkFade::show(const Session &session, const Figure &figure, bool moving) {
   const Figure before = std::exchange(m_shown, figure);
   if (!otherStep || !moving)
     return;
-  std::set<std::string> added = idsIn(figure);
-  for (const std::string &id : idsIn(before))
-    added.erase(id);
+  std::set<std::string> added = idsAdded(before, figure);
   if (added.empty())
     return;
   m_arrival = {std::move(added), 0};
