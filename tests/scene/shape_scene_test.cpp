@@ -93,6 +93,27 @@ TEST(ShapeScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
   EXPECT_EQ(middleOfLabel(request), aside);
 }
 
+TEST(ShapeScene, LabelledLikeTheLast_HasItsLabelsWhereTheyWouldStandInThat) {
+  PictureRequest request = requestFor(labelledPoint());
+  PictureRequest crowded = request;
+  const glm::dvec2 alone = middleOfLabel(request);
+  const SightLine sight = request.camera.sightThrough(alone, request.size);
+  const Place there = sight.origin + glm::normalize(sight.direction) * request.camera.distance();
+  crowded.content.figure.marks.push_back(withId(pointAt(there), "R", Subject::Neutral));
+  PictureRequest like = request;
+  like.labelledLike = crowded.content;
+  request.isLabelledLikeLast = true;
+  OffscreenPainter painter(magentaForQ.set, magentaForQ.paint);
+  painter.arrange(crowded);
+  const auto arranged = painter.draw(request);
+  ASSERT_TRUE(arranged && painter.draw(crowded));
+  const auto drawn = painter.draw(request);
+  const auto expected = drawOffscreen(like, magentaForQ);
+  ASSERT_TRUE(drawn && expected);
+  EXPECT_EQ(arranged->rgba, expected->rgba);
+  EXPECT_EQ(drawn->rgba, expected->rgba);
+}
+
 TEST(ShapeScene, OfAPainterThatLives_HasItsLabelsWhereAFirstPictureHasThem) {
   const PictureRequest request = requestFor(labelledPoint());
   PictureRequest moved = request;

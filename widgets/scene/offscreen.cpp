@@ -108,10 +108,11 @@ public:
     return picture;
   }
 
-private:
+  /// The shapes of a picture; valid until it is called again.
   const ShapeList &compose(const PictureRequest &request) {
     const double usualRatio = ownPixelRatio(request.size);
-    m_composer.forgetLabels();
+    if (!request.isLabelledLikeLast)
+      m_composer.forgetLabels();
     m_composer.setTheme(request.theme);
     m_composer.setBackgroundVisible(!request.transparent);
     m_composer.setView({request.camera, request.size, request.pixelRatio.value_or(usualRatio)});
@@ -123,6 +124,7 @@ private:
     return m_composer.compose();
   }
 
+private:
   EglContext m_context; // the first: the others end in it
   vtkNew<RenderWindow> m_window;
   Composer m_composer;
@@ -143,7 +145,12 @@ Result<DrawnPicture> OffscreenPainter::draw(const PictureRequest &request) {
                          {{"size", inWords(request.size)}, {"most", std::to_string(maxPictureSide)}}));
   Result<DrawnPicture> result = problem("");
   try {
-    m_thread.run([&] { result = drawInThread(request); });
+    m_thread.run([&] {
+      if (const auto lack = openStudio())
+        result = *lack;
+      else
+        result = m_studio->draw(request);
+    });
   } catch (const std::bad_alloc &) {
     m_thread.run([this] { m_studio.reset(); });
     return problem(words("There is not enough memory for a picture of {size} pixels.",
@@ -152,14 +159,21 @@ Result<DrawnPicture> OffscreenPainter::draw(const PictureRequest &request) {
   return result;
 }
 
-Result<DrawnPicture> OffscreenPainter::drawInThread(const PictureRequest &request) {
-  if (!m_studio) {
-    auto studio = std::make_unique<Studio>(m_set, m_labels);
-    if (const std::string failure = studio->failure(); !failure.empty())
-      return problem(failure);
-    m_studio = std::move(studio);
-  }
-  return m_studio->draw(request);
+void OffscreenPainter::arrange(const PictureRequest &request) {
+  m_thread.run([&] {
+    if (!openStudio())
+      m_studio->compose(request);
+  });
+}
+
+std::optional<Problem> OffscreenPainter::openStudio() {
+  if (m_studio)
+    return {};
+  auto studio = std::make_unique<Studio>(m_set, m_labels);
+  if (const std::string failure = studio->failure(); !failure.empty())
+    return problem(failure);
+  m_studio = std::move(studio);
+  return {};
 }
 
 } // namespace halfspace

@@ -16,6 +16,8 @@ struct PictureRequest {
   SceneContent content;
   /// Another picture of the same: where labels stand in it they stay, as long as nothing comes upon them.
   std::optional<SceneContent> labelledLike;
+  /// Likewise for the picture that was drawn or arranged last.
+  bool isLabelledLikeLast = false;
   Camera camera;
   Theme theme;
   PixelSize size{1600, 1000};
@@ -48,10 +50,14 @@ public:
   /// Fails with a sentence where no OpenGL 3.2 is to be had, and where there is not enough memory: then the
   /// next begins anew.
   [[nodiscard]] Result<DrawnPicture> draw(const PictureRequest &request);
+  /// Gives labels their places as `draw` would, for a picture that is labelled like this one. Where nothing
+  /// can be drawn, nothing is done.
+  void arrange(const PictureRequest &request);
 
 private:
   class Studio;
-  [[nodiscard]] Result<DrawnPicture> drawInThread(const PictureRequest &request);
+  /// In the thread. Why there is none.
+  [[nodiscard]] std::optional<Problem> openStudio();
 
   LabelSetter m_set;
   LabelPainter m_labels;
