@@ -42,11 +42,6 @@ std::optional<double> takePositive(std::string_view &text) {
   return value;
 }
 
-std::optional<double> parsePositive(std::string_view text) {
-  const auto value = takePositive(text);
-  return text.empty() ? value : std::nullopt;
-}
-
 /// A positive length in points: 8cm, 80mm or 226pt.
 std::optional<double> parseLength(std::string_view text) {
   const auto value = takePositive(text);
@@ -86,13 +81,6 @@ std::optional<Meaning> meant(const std::array<std::pair<const char *, Meaning>, 
 }
 
 Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
-
-std::string themeNames(const std::string &separator) {
-  std::string names;
-  for (const Theme &theme : themes())
-    names += (names.empty() ? "" : separator) + theme.name;
-  return names;
-}
 
 /// PNG, SVG, PDF …, or .png, .svg, .pdf …: what figures can be written as.
 std::string formats(std::string FigureFormat::*part) {
@@ -145,6 +133,32 @@ std::optional<Problem> uselessOption(const FigureFormat &format, const FigureOpt
 }
 
 } // namespace
+
+std::optional<double> parsePositive(std::string_view text) {
+  const auto value = takePositive(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+Result<PixelSize> sizeOf(const std::string &text) {
+  if (const auto size = parseSize(text))
+    return *size;
+  return refused(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
+                       {{"largest", std::to_string(maxPictureSide)}, {"size", text}}));
+}
+
+std::string themeNames(const std::string &separator) {
+  std::string names;
+  for (const Theme &theme : themes())
+    names += (names.empty() ? "" : separator) + theme.name;
+  return names;
+}
+
+Result<Theme> themeOf(const std::string &name) {
+  if (const Theme *theme = findTheme(name))
+    return *theme;
+  return refused(words("There is no theme “{theme}”. The themes are {themes}.",
+                       {{"theme", name}, {"themes", themeNames(", ")}}));
+}
 
 void addFigureOptions(CLI::App &command, FigureOptions &options) {
   command
@@ -207,10 +221,9 @@ Result<HiddenLines> hiddenLinesOf(const std::string &word) {
 Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,
                                 const CLI::App &command) {
   FigureChoices choices;
-  const auto size = parseSize(options.size);
+  const auto size = sizeOf(options.size);
   if (!size)
-    return refused(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
-                         {{"largest", std::to_string(maxPictureSide)}, {"size", options.size}}));
+    return size.problem();
   choices.size = *size;
   choices.format = figureFormatOf(output);
   if (!choices.format)
@@ -228,10 +241,9 @@ Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &
       command.count("--width") + command.count("--text") + command.count("--dpi") > 0;
   if (isMeasuredOnPaper || choices.format->vectors)
     choices.paper = *paper;
-  const Theme *theme = findTheme(options.theme);
+  const auto theme = themeOf(options.theme);
   if (!theme)
-    return refused(words("There is no theme “{theme}”. The themes are {themes}.",
-                         {{"theme", options.theme}, {"themes", themeNames(", ")}}));
+    return theme.problem();
   choices.theme = *theme;
   const auto hidden = hiddenLinesOf(options.hidden);
   if (!hidden)

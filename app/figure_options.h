@@ -5,6 +5,7 @@
 #include "lessons/result.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -40,5 +41,14 @@ void addHiddenOption(CLI::App &command, std::string &hidden);
 /// refuses them: those that none of the outputs has a use for as well.
 [[nodiscard]] Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &options,
                                               const CLI::App &command);
+
+// What other pictures are asked for in the same way.
+
+/// All of a text is a positive number; nothing where it is none.
+[[nodiscard]] std::optional<double> parsePositive(std::string_view text);
+/// Of a picture, as 1600x1000; or a sentence that refuses it.
+[[nodiscard]] Result<PixelSize> sizeOf(const std::string &text);
+[[nodiscard]] Result<Theme> themeOf(const std::string &name);
+[[nodiscard]] std::string themeNames(const std::string &separator);
 
 } // namespace halfspace
