@@ -28,7 +28,8 @@ widgets/handout      : geometry lessons/* widgets/formula widgets/picture widget
 widgets/mesh_files   : geometry geometry/search lessons/*
 widgets              : geometry geometry/search lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
 widgets/view         : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets : Qt VTK
-app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/carriers widgets/exports widgets/handout widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
+widgets/animation    : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets/view widgets : Qt VTK GIF
+app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/carriers widgets/exports widgets/handout widgets/scene widgets/mesh_files widgets/view widgets/animation widgets : Qt JSON CLI11
 '
 
 grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \
@@ -60,7 +61,7 @@ grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \
     function libraryOf(header) {
       return header ~ /^(vtk|QVTK)/ ? "VTK" : header ~ /^Q/ ? "Qt" : header ~ /^embree/ ? "Embree" : \
         header ~ /gmp/ ? "GMP" : header ~ /^hb/ ? "HarfBuzz" : header ~ /^(EGL|GL)\// ? "OpenGL" : header ~ /^(ZXing\/|qrencode|png\.h|turbojpeg)/ ? "Codes" : \
-        header ~ /^yaml-cpp/ ? "YAML" : header ~ /^md4c/ ? "MD4C" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
+        header ~ /^yaml-cpp/ ? "YAML" : header ~ /^gif_lib/ ? "GIF" : header ~ /^md4c/ ? "MD4C" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
     }
     {
       split($0, parts, ":")
