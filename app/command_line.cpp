@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "app/animate_options.h"
 #include "app/batch_options.h"
 #include "app/completion.h"
 #include "app/figure_options.h"
@@ -74,6 +75,7 @@ struct Arguments {
   FigureOptions figure;
   BatchOptions batch;
   HandoutOptions handout;
+  AnimateOptions animate;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -185,6 +187,23 @@ Result<std::optional<std::pair<int, int>>> framesOf(const Arguments &arguments, 
             {{"frames", typed}}),
         "", 0, ""};
   return frames;
+}
+
+CLI::App *addAnimate(CLI::App &app, Arguments &arguments) {
+  auto *animate = app.add_subcommand(
+      "animate", words("Show the scene in motion: as GIF, as a video, or as pictures; needs no display"));
+  addSubject(*animate, arguments.animate.subject, arguments.animate.assignments);
+  addAnimateOptions(*animate, arguments.animate);
+  return animate;
+}
+
+/// `animate` is where the arguments come from.
+Command finishAnimate(const Arguments &arguments, const CLI::App &animate) {
+  auto command = animateCommandOf(arguments.animate, animate);
+  if (!command)
+    return complaint(command.problem().sentence);
+  command->ownLessons = arguments.ownLessons;
+  return *command;
 }
 
 /// `render` is where the arguments come from.
@@ -306,6 +325,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
   auto *handout = addHandout(app, arguments.handout);
+  auto *animate = addAnimate(app, arguments);
   auto *eval = app.add_subcommand("eval", words("Answer geometry questions, one JSON object a line"));
   eval->add_option("file", arguments.eval.file,
                    words("The file with the questions; standard input without one"))
@@ -359,6 +379,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
   }
   if (render->parsed())
     return finishRender(arguments, *render);
+  if (animate->parsed())
+    return finishAnimate(arguments, *animate);
   return arguments.window;
 }
 

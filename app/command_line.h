@@ -3,6 +3,7 @@
 
 #include "app/batch/figure_plan.h"
 #include "app/figures/figure_choices.h"
+#include "widgets/animation/film.h"
 #include "widgets/handout/handout_look.h"
 
 #include <optional>
@@ -92,6 +93,17 @@ struct HandoutCommand {
   OwnLessons ownLessons{};
 };
 
+struct AnimateCommand {
+  std::string subject;
+  std::vector<std::string> assignments;
+  OwnLessons ownLessons{};
+  const MotionKind *motion = nullptr;      ///< never null once it is read
+  const AnimationFormat *format = nullptr; ///< likewise
+  FilmRequest film{};
+  std::optional<double> seconds{}; ///< nothing: as many as the motion takes by itself
+  std::optional<int> step{}; ///< counted from 1; nothing: that of a session's file, or as the motion chooses
+};
+
 struct EvalCommand {
   std::optional<std::string> file; ///< nothing or -: standard input
 };
@@ -119,8 +131,8 @@ struct PrintCommand {
 };
 
 using Command = std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand,
-                             CheckCommand, ExplainCommand, RenderCommand, HandoutCommand, EvalCommand,
-                             ReadMeshCommand, CompleteCommand, PrintCommand>;
+                             CheckCommand, ExplainCommand, RenderCommand, HandoutCommand, AnimateCommand,
+                             EvalCommand, ReadMeshCommand, CompleteCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

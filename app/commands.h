@@ -10,6 +10,8 @@ namespace halfspace {
 [[nodiscard]] int runLessons(const LessonsCommand &command);
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);
+/// A signal that comes meanwhile ends the program, once nothing unfinished is left.
+[[nodiscard]] int runAnimate(const AnimateCommand &command);
 
 [[nodiscard]] int runHandout(const HandoutCommand &command);
 

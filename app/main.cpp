@@ -20,6 +20,7 @@ int run(const Command &command, int argc, char **argv) {
                                [](const ExplainCommand &explain) { return runExplain(explain); },
                                [](const RenderCommand &render) { return runRender(render); },
                                [](const HandoutCommand &handout) { return runHandout(handout); },
+                               [](const AnimateCommand &animate) { return runAnimate(animate); },
                                [](const ReadMeshCommand &mesh) { return runReadMesh(mesh); },
                                [](const CompleteCommand &complete) { return runComplete(complete); },
                                [](const EvalCommand &eval) { return runEval(eval); },

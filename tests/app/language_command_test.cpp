@@ -16,6 +16,15 @@ const test::Names names{"LESSON",    "FILE",          "FOLDER",  "ID",        "N
                         "mathml",    "shapes",        "letters", "changed",   "steps",     "rows",
                         "lesson",    "step",          "row",     "frame",     "CSV",       "ray",
                         "sphere",    "JSON",          "handout", "letter",    "NUMBERS",   "paper"};
+const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NAME",      "VALUE",
+                        "INT",       "FORMAT",        "THEME",  "Halfspace", "halfspace", "subject",
+                        "output",    "paths",         "file",   "size",      "distance",  "lessons",
+                        "new",       "constructions", "check",  "explain",   "render",    "eval",
+                        "text",      "latex",         "json",   "light",     "dark",      "print",
+                        "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere",   "LENGTH",
+                        "dashed",    "paler",         "left",   "out",       "width",     "hidden",
+                        "mathml",    "animate",       "motion", "flight",    "steps",     "turn",
+                        "seconds",   "fps",           "shapes", "letters"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
@@ -32,6 +41,7 @@ TEST_F(ProgramInAnotherLanguage, Help_SaysNothingInEnglish) {
   expectTranslated("--help");
   for (const char *command :
        {"lessons", "new-lesson", "constructions", "check", "explain", "render", "handout", "eval"})
+       {"lessons", "new-lesson", "constructions", "check", "explain", "render", "animate", "eval"})
     expectTranslated(command + std::string(" --help"));
 }
 
@@ -51,6 +61,21 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render x -o a.svg --hidden no",
                                 "render x -o a.png --hidden dashed",
                                 "render x -o a.png --size 0x0",
+                                "animate x -o a.gif",
+                                "animate x --motion dance -o a.gif",
+                                "animate x --motion turn -o a.avi",
+                                "animate x --motion turn -o a.gif --fps 0",
+                                "animate x --motion turn -o a.gif --seconds 0",
+                                "animate ray-sphere --motion turn -o a.png",
+                                "animate ray-sphere --motion turn -o a.gif --fps 30",
+                                "animate ray-sphere --motion turn -o a.mp4 --transparent",
+                                "animate ray-sphere --motion turn -o a.mp4 --size 65x65",
+                                "animate ray-sphere --motion turn -o a.gif --size 16000x16000",
+                                "animate ray-sphere --motion turn -o a.gif --seconds 600 --fps 25",
+                                "animate ray-sphere --motion turn -o a.gif --step 99",
+                                "animate ray-sphere --motion flight -o a.gif",
+                                "animate ray-sphere --motion steps --step 1 -o a.gif",
+                                "animate ray-sphere --motion turn -o no/where.gif",
                                 "render x -o a.png --frame 1.5",
                                 "render x -o a.png --frame 1 --frames 0:3",
                                 "render -o a.png",
