@@ -18,6 +18,7 @@
 #include "app/panels/window_style.h"
 #include "app/standard_streams.h"
 #include "app/window_settings.h"
+#include "app/work/animation_export.h"
 #include "app/work/handout_export.h"
 #include "app/work/picture_export.h"
 #include "app/work/working_copy.h"
@@ -90,13 +91,14 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *pictures =
       new PictureExport(m_model, sceneView(), m_look, m_panels.typesetter(), m_panels.messages(), this);
   auto *handouts = new HandoutExport(m_model, m_panels.typesetter(), m_panels.messages(), this);
+  auto *animations = new AnimationExport(m_model, sceneView(), m_look, m_panels.messages(), this);
   auto *working = new WorkingCopy(m_panels.practice().working(), m_panels.messages(), this);
   auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
   auto *formulas = new FormulaPresenter(m_model, m_look, m_panels.typesetter(), *this);
   QMenuBar *bar = menuBar();
-  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, *handouts, bar);
+  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, *handouts, *animations, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
   bar->addMenu(file);
   bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), *working, bar));

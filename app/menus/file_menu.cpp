@@ -1,6 +1,7 @@
 #include "app/menus/file_menu.h"
 
 #include "app/menus/add_item.h"
+#include "app/work/animation_export.h"
 #include "app/work/handout_export.h"
 #include "app/work/leftover_work.h"
 #include "app/work/picture_export.h"
@@ -10,7 +11,7 @@
 namespace halfspace {
 
 FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
-                   HandoutExport &handouts, QWidget *parent)
+                   HandoutExport &handouts, AnimationExport &animations, QWidget *parent)
     : QMenu(tr("&File"), parent) {
   addItem(*this, tr("&Open…"), QKeySequence::Open, &files, &SessionFiles::askAndOpen);
   addItem(*this, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), &meshes, &SceneMeshes::askAndOpen);
@@ -23,6 +24,8 @@ FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &lefto
   addItem(*this, tr("Save &Picture…"), QKeySequence("Ctrl+E"), &pictures, &PictureExport::askAndSave);
   addItem(*this, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), &pictures, &PictureExport::copy);
   addItem(*this, tr("Save &Handout…"), QKeySequence("Ctrl+Shift+E"), &handouts, &HandoutExport::askAndSave);
+  addItem(*this, tr("Save A&nimation…"), QKeySequence("Ctrl+Shift+A"), &animations,
+          &AnimationExport::askAndSave);
   addSeparator();
   addItem(*this, tr("&Quit"), QKeySequence::Quit, this, &FileMenu::quitWanted);
 }

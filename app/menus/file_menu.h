@@ -1,10 +1,11 @@
-// File: sessions, meshes, pictures.
+// File: sessions, meshes, pictures, animations.
 #pragma once
 
 #include <QMenu>
 
 namespace halfspace {
 
+class AnimationExport;
 class HandoutExport;
 class LeftoverWork;
 class PictureExport;
@@ -16,7 +17,7 @@ class FileMenu : public QMenu {
 public:
   /// All must outlive it.
   FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
-           HandoutExport &handouts, QWidget *parent);
+           HandoutExport &handouts, AnimationExport &animations, QWidget *parent);
 
 signals:
   void quitWanted();

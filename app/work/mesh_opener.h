@@ -1,13 +1,12 @@
 // Opens a mesh file beside the window that goes on.
 #pragma once
 
+#include "app/work/job_progress.h"
 #include "widgets/mesh_loader.h"
 
 #include <QTimer>
 
 #include <functional>
-
-class QProgressDialog;
 
 namespace halfspace {
 
@@ -29,16 +28,13 @@ signals:
   void failed(const QString &sentence);
 
 private:
-  void showProgress(double part, const QString &what);
-  void endProgress();
   void handOut();
 
-  QWidget &m_window;
   std::function<bool()> m_isInHand;
   MeshLoader m_loader;
+  JobProgress m_progress; ///< of the loader
   std::optional<LoadedMesh> m_waiting;
   QTimer m_nextLook;
-  QProgressDialog *m_progress = nullptr; ///< null while no mesh is read
 };
 
 } // namespace halfspace
