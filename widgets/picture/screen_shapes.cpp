@@ -16,6 +16,13 @@ double partOfSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
   return square > 0 ? std::clamp(glm::dot(pixel - from, along) / square, 0.0, 1.0) : 0;
 }
 
+/// Twice the area of the triangle from a segment to a pixel, positive on one side of it.
+double sideOf(glm::dvec2 from, glm::dvec2 to, glm::dvec2 pixel) {
+  const glm::dvec2 along = to - from;
+  const glm::dvec2 way = pixel - from;
+  return along.x * way.y - along.y * way.x;
+}
+
 } // namespace
 
 double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
@@ -39,6 +46,20 @@ double overlapArea(const PixelBox &a, const PixelBox &b) {
 
 double distanceTo(const PixelBox &box, glm::dvec2 pixel) {
   return glm::distance(pixel, glm::clamp(pixel, box.low, box.high));
+}
+
+double distanceTo(const PixelBox &box, glm::dvec2 from, glm::dvec2 to) {
+  if (lengthInside(box, from, to) > 0)
+    return 0;
+  double least = std::min(distanceTo(box, from), distanceTo(box, to));
+  for (const glm::dvec2 corner : {box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}})
+    least = std::min(least, distanceToSegment(corner, from, to));
+  return least;
+}
+
+bool doCross(glm::dvec2 from, glm::dvec2 to, glm::dvec2 otherFrom, glm::dvec2 otherTo) {
+  return sideOf(from, to, otherFrom) * sideOf(from, to, otherTo) < 0 &&
+         sideOf(otherFrom, otherTo, from) * sideOf(otherFrom, otherTo, to) < 0;
 }
 
 double lengthInside(const PixelBox &box, glm::dvec2 from, glm::dvec2 to) {

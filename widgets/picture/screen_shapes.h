@@ -14,6 +14,12 @@ namespace halfspace {
 /// From a pixel to the nearest of a box; 0 inside.
 [[nodiscard]] double distanceTo(const PixelBox &box, glm::dvec2 pixel);
 
+/// From a segment between two pixels to the nearest of a box; 0 where it goes through.
+[[nodiscard]] double distanceTo(const PixelBox &box, glm::dvec2 from, glm::dvec2 to);
+
+/// Whether two segments cross, each going from one side of the other to its other side.
+[[nodiscard]] bool doCross(glm::dvec2 from, glm::dvec2 to, glm::dvec2 otherFrom, glm::dvec2 otherTo);
+
 /// The length of the part of a segment that lies in a box.
 [[nodiscard]] double lengthInside(const PixelBox &box, glm::dvec2 from, glm::dvec2 to);
 

@@ -61,7 +61,7 @@ TEST(LabelLayout, OfTwoPointsSideBySide_EachIsNearerToItsOwn) {
                               glm::dvec2(400, 300) + apart * glm::dvec2(std::cos(angle), std::sin(angle))};
       LabelObstacles points;
       for (const glm::dvec2 pixel : pixels)
-        points.discs.push_back({pixel, 9, true});
+        points.discs.push_back({pixel, 9, points.discs.size()});
       const auto placed =
           LabelLayout().place({labelAt("H", pixels[0]), labelAt("F", pixels[1])}, points, size, 1);
       ASSERT_EQ(placed.size(), 2U);
@@ -258,6 +258,95 @@ TEST(LabelLayout, WithoutRoomWhatComesAndGoesIsLeftOut) {
   EXPECT_EQ(LabelLayout().place({note}, crowd, size, 1).size(), 1U);
   note.stand = LabelStand::Passing;
   EXPECT_TRUE(LabelLayout().place({note}, crowd, size, 1).empty());
+}
+
+/// The line that leads to a label.
+LabelObstacles::Segment leaderOf(const PlacedLabel &label) {
+  return leaderTo({label.topLeft, label.topLeft + label.extent}, label.anchor);
+}
+
+TEST(LabelLayout, OfManyWithLeaders_NoneIsStruckThroughByAnothersLeader) {
+  LabelObstacles crowd;
+  for (int x = -5; x <= 5; ++x)
+    for (int y = -3; y <= 3; ++y)
+      crowd.discs.push_back({{400 + 22 * x, 300 + 18 * y}, 9});
+  std::vector<LabelRequest> requests;
+  for (int i = 0; i < 4; ++i)
+    requests.push_back(labelAt("P" + std::to_string(i), {367 + 22 * i, 300}));
+  const auto placed = LabelLayout().place(requests, crowd, size, 1);
+  ASSERT_EQ(placed.size(), 4U);
+  for (const PlacedLabel &label : placed) {
+    ASSERT_TRUE(label.needsLeader);
+    const auto leader = leaderOf(label);
+    for (const PlacedLabel &other : placed)
+      EXPECT_TRUE(other.id == label.id ||
+                  lengthInside({other.topLeft, other.topLeft + other.extent}, leader.from, leader.to) == 0)
+          << label.id << " through " << other.id;
+  }
+}
+
+TEST(LabelLayout, OfTwoLinesSideBySide_EachIsNearerToItsOwn) {
+  for (const double apart : {14.0, 20.0, 26.0}) {
+    LabelObstacles lines;
+    std::vector<LabelRequest> requests;
+    for (const std::size_t i : {0U, 1U}) {
+      const double y = 300 + apart * static_cast<double>(i);
+      lines.segments.push_back({{100, y}, {700, y}, false, i});
+      LabelRequest request{"g" + std::to_string(i), {20, 24}, {}};
+      for (const double x : {400.0, 500.0, 300.0})
+        request.anchors.push_back({{x, y}, {0, -1}, 5});
+      request.owner = i;
+      requests.push_back(request);
+    }
+    const auto placed = LabelLayout().place(requests, lines, size, 1);
+    ASSERT_EQ(placed.size(), 2U);
+    EXPECT_LT(placed[0].topLeft.y, 300) << "above both, " << apart;
+    EXPECT_GT(placed[1].topLeft.y, 300 + apart) << "below both, " << apart;
+  }
+}
+
+TEST(LabelLayout, OfAnArrowThatEndsInAPointWithALabel_StandsBesideItsShaft) {
+  LabelRequest arrow{"v", {20, 24}, {{{400, 300}, {1, -0.4}, 9}, {{300, 300}, {0, -1}, 5}}};
+  arrow.owner = 0;
+  LabelObstacles obstacles;
+  obstacles.segments.push_back({{200, 300}, {400, 300}, true, 0});
+  EXPECT_GT(LabelLayout().place({arrow}, obstacles, size, 1)[0].topLeft.x, 390) << "beyond its tip";
+  obstacles.discs.push_back({{400, 300}, 9, 1});
+  EXPECT_LT(LabelLayout().place({arrow}, obstacles, size, 1)[0].topLeft.x, 350) << "it would be the point's";
+}
+
+TEST(LabelLayout, OfALineWithAnArrowOnIt_DoesNotStandBesideTheArrow) {
+  LabelRequest line{"g", {20, 24}, {{{400, 300}, {0, -1}, 5}, {{550, 300}, {0, -1}, 5}}};
+  line.owner = 0;
+  LabelObstacles obstacles;
+  obstacles.segments.push_back({{100, 300}, {700, 300}, false, 0});
+  EXPECT_LT(LabelLayout().place({line}, obstacles, size, 1)[0].topLeft.x, 420);
+  obstacles.segments.push_back({{350, 300}, {450, 300}, true, 1});
+  EXPECT_GT(LabelLayout().place({line}, obstacles, size, 1)[0].topLeft.x, 500);
+}
+
+TEST(LabelLayout, OfTwoSideBySide_AreNotReadAsOne) {
+  const auto placed = LabelLayout().place({labelAt("h", {400, 300}), labelAt("v", {465, 302})}, {}, size, 1);
+  ASSERT_EQ(placed.size(), 2U);
+  const bool areInOneRow =
+      placed[0].topLeft.y < placed[1].topLeft.y + 24 && placed[1].topLeft.y < placed[0].topLeft.y + 24;
+  const double gap = placed[1].topLeft.x - (placed[0].topLeft.x + 60);
+  EXPECT_TRUE(!areInOneRow || gap >= 8) << gap;
+}
+
+TEST(LabelLayout, OfARowOfPinnedLabelsWithoutRoomForAll_EverySecondIsThere) {
+  std::vector<LabelRequest> numbers;
+  for (int i = 1; i <= 6; ++i)
+    numbers.push_back({"tick " + std::to_string(i),
+                       {30, 20},
+                       {{{200 + 22 * i, 300}, {}, 0}},
+                       LabelStand::Pinned,
+                       nobody,
+                       {1, i}});
+  std::vector<std::string> ids;
+  for (const PlacedLabel &label : LabelLayout().place(numbers, {}, size, 1))
+    ids.push_back(label.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"tick 2", "tick 4", "tick 6"}));
 }
 
 TEST(LabelLayout, WhenTheCrowdIsGoneALabelComesBackFromAfar) {

@@ -33,10 +33,10 @@ private:
   /// By the label's number, while they are placed.
   using Placed = std::vector<std::optional<LabelCandidate>>;
 
-  /// The cost of a candidate beside all else that is on the screen; any number beyond the limit once that is
-  /// passed.
+  /// The cost of a label's candidate beside all else that is on the screen; any number beyond the limit once
+  /// that is passed.
   [[nodiscard]] static double costOf(const LabelCandidate &candidate, std::size_t label,
-                                     const LabelObstacles &obstacles, const Placed &placed, double limit);
+                                     const LabelOptions &options, const Placed &placed, double limit);
 
   /// The place where a label was, if nothing is wrong with it.
   [[nodiscard]] std::optional<LabelCandidate>
@@ -46,19 +46,41 @@ private:
   [[nodiscard]] std::optional<LabelCandidate>
   bestFor(std::size_t label, const std::string &id, const LabelOptions &options, const Placed &placed) const;
 
-  /// Gives two labels that lie on one another the two places that are best together.
+  /// What a label chose: for its place, or else where it was.
+  [[nodiscard]] std::optional<LabelChoice> currentChoice(const std::string &id,
+                                                         const std::optional<LabelCandidate> &placed) const;
+
+  /// Gives two labels that are in each other's way the two places that are best together.
   void placeTogether(std::size_t first, std::size_t second, const std::vector<LabelRequest> &requests,
                      const std::vector<LabelOptions> &options, Placed &placed) const;
 
-  /// Places each label together with those that it lies on.
+  /// Places a label together with each that is in its way.
   void untangle(std::size_t first, const std::vector<std::size_t> &labels,
                 const std::vector<LabelRequest> &requests, const std::vector<LabelOptions> &options,
                 Placed &placed) const;
+  [[nodiscard]] static double costOfAll(const std::vector<std::size_t> &labels,
+                                        const std::vector<LabelOptions> &options, const Placed &placed);
+  /// All places with one label at a certain one, and those that are in its way there at the best ones then.
+  [[nodiscard]] Placed withRoomFor(const LabelCandidate &candidate, std::size_t first,
+                                   const std::vector<std::size_t> &labels,
+                                   const std::vector<LabelRequest> &requests,
+                                   const std::vector<LabelOptions> &options, Placed placed) const;
+  /// Gives a label that is hard to read one of its better places, where that is best for all labels together.
+  void makeRoom(std::size_t first, const std::vector<std::size_t> &labels,
+                const std::vector<LabelRequest> &requests, const std::vector<LabelOptions> &options,
+                Placed &placed) const;
   /// All labels that stand beside something begin where they were, so that nothing moves without a reason.
-  /// Each takes the best place beside those placed before it; then, beside all others. Two that are in each
-  /// other's way, and neither of which comes away alone, are placed together.
+  /// Each takes the best place beside those placed before it; then, beside all others, until none moves. Two
+  /// that are in each other's way, and neither of which comes away alone, are placed together.
   void placeBeside(const std::vector<LabelRequest> &requests, const std::vector<LabelOptions> &options,
                    Placed &placed) const;
+
+  /// Whether a label can be read at a place, beside what is placed.
+  [[nodiscard]] static bool canBeRead(const LabelCandidate &there, std::size_t label,
+                                      const LabelOptions &options, const Placed &placed);
+  /// Writes those of a row of pinned labels that there is room for beside what else is placed.
+  static void pinRow(const std::vector<std::size_t> &row, const std::vector<LabelRequest> &requests,
+                     const std::vector<LabelOptions> &options, Placed &placed);
 
   /// What is placed, remembered for the next frame.
   [[nodiscard]] std::vector<PlacedLabel> taken(const std::vector<LabelRequest> &requests,

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -26,6 +27,9 @@ constexpr double costOfNextAnchor = 6;
 constexpr std::array<double, distances.size()> costOfDistance{0, 7, 22, 40, 60};
 constexpr double costOfLeaving = 200;
 
+/// Labels side by side that are nearer to each other than this, in design pixels, are read as one.
+constexpr double readTogether = 8;
+
 /// A box that the screen's edge pushes by less than this part of its size still stands where it was wanted.
 constexpr double freePush = 0.02;
 
@@ -34,7 +38,7 @@ LabelObstacles obstaclesIn(const PixelBox &box, const LabelObstacles &all) {
   LabelObstacles found;
   std::copy_if(all.discs.begin(), all.discs.end(), std::back_inserter(found.discs),
                [&](const LabelObstacles::Disc &disc) {
-                 return disc.hasLabel || distanceTo(box, disc.center) < disc.radius;
+                 return disc.owner != nobody || distanceTo(box, disc.center) < disc.radius;
                });
   std::copy_if(all.segments.begin(), all.segments.end(), std::back_inserter(found.segments),
                [&](const LabelObstacles::Segment &segment) {
@@ -104,12 +108,8 @@ std::optional<PixelBox> reachOf(const LabelRequest &request, PixelSize size, dou
 
 bool LabelChoice::needsLeader() const { return distance >= firstWithLeader; }
 
-bool LabelCandidate::isNearerTo(const LabelObstacles::Disc &disc) const {
-  if (!disc.hasLabel || disc.center == anchor || choice.needsLeader())
-    return false;
-  const double reach = distanceTo(box, disc.center);
-  const double ownReach = distanceTo(box, anchor);
-  return reach < ownReach || reach - disc.radius < ownReach - clearance;
+LabelObstacles::Segment leaderTo(const PixelBox &box, glm::dvec2 anchor) {
+  return {anchor, glm::clamp(anchor, box.low, box.high)};
 }
 
 bool LabelScreen::isCovered(const PixelBox &box) const {
@@ -121,6 +121,51 @@ LabelOptions::LabelOptions(const LabelRequest &request, const LabelScreen &scree
     : m_request(request), m_screen(screen) {
   if (const std::optional<PixelBox> reach = reachOf(request, screen.size, screen.pixelRatio))
     m_obstacles = obstaclesIn(*reach, all);
+  if (request.owner != nobody)
+    std::copy_if(m_obstacles.segments.begin(), m_obstacles.segments.end(), std::back_inserter(m_own),
+                 [&](const LabelObstacles::Segment &segment) { return segment.owner == request.owner; });
+}
+
+double LabelOptions::reachToOwn(const LabelCandidate &candidate) const {
+  if (m_own.empty())
+    return distanceTo(candidate.box, candidate.anchor) - candidate.clearance;
+  double least = std::numeric_limits<double>::infinity();
+  for (const LabelObstacles::Segment &line : m_own)
+    least = std::min(least, distanceTo(candidate.box, line.from, line.to));
+  return least;
+}
+
+bool LabelOptions::canBeTakenForThatOf(LabelOwner owner, const LabelCandidate &candidate) const {
+  return owner != nobody && owner != m_request.owner && !candidate.choice.needsLeader();
+}
+
+bool LabelOptions::isTakenForThatOf(const LabelObstacles::Disc &disc, const LabelCandidate &candidate,
+                                    double reachToOwn) const {
+  if (!canBeTakenForThatOf(disc.owner, candidate))
+    return false;
+  const double reach = distanceTo(candidate.box, disc.center);
+  const bool isInPoint = glm::distance(disc.center, candidate.anchor) < disc.radius;
+  if (!m_own.empty() && isInPoint)
+    return reach - disc.radius < reachToOwn;
+  const double toAnchor = distanceTo(candidate.box, candidate.anchor);
+  return disc.center != candidate.anchor &&
+         (reach < toAnchor || reach - disc.radius < toAnchor - candidate.clearance);
+}
+
+bool LabelOptions::isTakenForThatOf(const LabelObstacles::Segment &line, const LabelCandidate &candidate,
+                                    double reachToOwn) const {
+  if (!canBeTakenForThatOf(line.owner, candidate))
+    return false;
+  const bool isThroughAnchor = distanceToSegment(candidate.anchor, line.from, line.to) <= candidate.clearance;
+  const bool isOnThinLine = !m_own.empty() && !m_own.front().isThick;
+  if (isThroughAnchor && !(line.isThick && isOnThinLine))
+    return false;
+  return distanceTo(candidate.box, line.from, line.to) <= reachToOwn;
+}
+
+PixelBox LabelOptions::roomAround(const PixelBox &box) const {
+  const glm::dvec2 aside(readTogether / 2 * m_screen.pixelRatio, 0);
+  return {box.low - aside, box.high + aside};
 }
 
 const std::vector<LabelCandidate> &LabelOptions::candidates() const {
@@ -143,7 +188,7 @@ std::optional<LabelCandidate> LabelOptions::chosen(const LabelChoice &choice) co
   const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
   const double cost = costOfAnchor(choice.anchor) + costOfOtherSide * (1 - glm::dot(best, way.onCircle)) +
                       costOfDistance[choice.distance] + costOfLeaving * pushOf(box, wanted);
-  return LabelCandidate{choice, box, cost, anchor.pixel, anchor.clearance};
+  return LabelCandidate{choice, box, cost, anchor.pixel, anchor.clearance, roomAround(box)};
 }
 
 double LabelOptions::costOfAnchor(std::size_t anchor) const {
@@ -163,7 +208,7 @@ std::vector<LabelCandidate> LabelOptions::pinned() const {
     const PixelBox inside = movedInside(box, m_screen.size);
     if (pushOf(inside, box) > 0 || m_screen.isCovered(inside))
       return {};
-    return {{{a, 0, 0}, inside, 0, anchor.pixel, anchor.clearance}};
+    return {{{a, 0, 0}, inside, 0, anchor.pixel, anchor.clearance, roomAround(inside)}};
   }
   return {};
 }

@@ -1,7 +1,5 @@
 #include "widgets/picture/labels/label_page.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -34,7 +32,7 @@ std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
     if (formula->glyphs.empty() && formula->rules.empty())
       continue;
     const LabelRoom room = roomOf(*formula, text.style);
-    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.stand});
+    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.stand, text.owner, text.row});
     byId.insert_or_assign(text.id, LabelOnPage{text, std::move(formula), {}});
   }
   std::vector<LabelOnPage> page;
@@ -49,8 +47,7 @@ std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
 std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label) {
   if (!label.needsLeader)
     return {};
-  return LabelObstacles::Segment{label.anchor,
-                                 glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent)};
+  return leaderTo({label.topLeft, label.topLeft + label.extent}, label.anchor);
 }
 
 std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders, double width) {

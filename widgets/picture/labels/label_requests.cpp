@@ -152,13 +152,15 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const V
 /// A mark without a letter may have a number alone beside it.
 bool isLabelled(const Mark &mark) { return !baseOf(mark).label.empty() || !baseOf(mark).numbers.empty(); }
 
-/// The marks whose labels are written.
-std::vector<const Mark *> labelledMarks(const SceneContent &content) {
-  const auto standsOut = [&](const Mark *mark) { return content.highlighted.contains(baseOf(*mark).id); };
-  std::vector<const Mark *> marks;
-  for (const Mark &mark : content.figure.marks)
-    if (isLabelled(mark))
-      marks.push_back(&mark);
+/// The numbers of the marks whose labels are written.
+std::vector<std::size_t> labelledMarks(const SceneContent &content) {
+  const auto standsOut = [&](std::size_t mark) {
+    return content.highlighted.contains(baseOf(content.figure.marks[mark]).id);
+  };
+  std::vector<std::size_t> marks;
+  for (std::size_t mark = 0; mark < content.figure.marks.size(); ++mark)
+    if (isLabelled(content.figure.marks[mark]))
+      marks.push_back(mark);
   if (marks.size() > mostMarkLabels) {
     std::stable_partition(marks.begin(), marks.end(), standsOut);
     marks.resize(mostMarkLabels);
@@ -186,23 +188,23 @@ public:
       : m_theme(theme), m_view(view), m_scale(designScale(view.camera, view.size, view.pixelRatio)) {}
 
   /// The radius is in design pixels.
-  void addDisc(Place at, double radius, bool hasLabel = false) {
+  void addDisc(Place at, double radius, LabelOwner owner = nobody) {
     if (const auto pixel = m_view.camera.project(at, m_view.size))
-      m_found.discs.push_back({glm::dvec2(*pixel), radius * m_view.pixelRatio, hasLabel});
+      m_found.discs.push_back({glm::dvec2(*pixel), radius * m_view.pixelRatio, owner});
   }
 
-  void addMark(const Mark &mark) {
+  void addMark(const Mark &mark, std::size_t number) {
     const MarkOutline outline = outlineOf(mark, rightAngleSize * m_scale);
     if (outline.path.empty())
       return;
     const auto *arrow = std::get_if<ArrowMark>(&mark);
+    const LabelOwner owner = isLabelled(mark) ? number : nobody;
     switch (outline.kind) {
     case MarkOutline::Kind::Point:
-      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * m_theme.lineScale,
-              isLabelled(mark));
+      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * m_theme.lineScale, owner);
       break;
     case MarkOutline::Kind::Line:
-      addPath(outline.path, arrow != nullptr, m_found.segments);
+      addPath(outline.path, arrow != nullptr, m_found.segments, owner);
       break;
     case MarkOutline::Kind::Face:
       addPath(closed(outline.path), false, m_found.segments);
@@ -231,12 +233,13 @@ public:
 private:
   using Segments = std::vector<LabelObstacles::Segment>;
 
-  void addPath(const std::vector<Place> &path, bool isThick, Segments &segments) const {
+  void addPath(const std::vector<Place> &path, bool isThick, Segments &segments,
+               LabelOwner owner = nobody) const {
     std::optional<glm::dvec3> previous;
     for (const Place &place : path) {
       const auto pixel = m_view.camera.project(place, m_view.size);
       if (pixel && previous)
-        segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel), isThick});
+        segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel), isThick, owner});
       previous = pixel;
     }
   }
@@ -279,13 +282,15 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
                        axisNameAnchors(label.at, theme, view)});
     else
       texts.push_back({"tick " + std::to_string(texts.size()), label.latex,
-                       style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned});
-  for (const Mark *mark : labelledMarks(content)) {
-    const MarkBase &base = baseOf(*mark);
+                       style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned, false, 1,
+                       nobody, LabelRow{1 + static_cast<std::size_t>(label.axis), label.tick}});
+  for (const std::size_t number : labelledMarks(content)) {
+    const Mark &mark = content.figure.marks[number];
+    const MarkBase &base = baseOf(mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
     texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
-                     anchorsOf(*mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
-                     true, content.arrival.presenceOf(base)});
+                     anchorsOf(mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
+                     true, content.arrival.presenceOf(base), number});
   }
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   if (content.dropLine && content.stage.hasAxes())
@@ -311,9 +316,9 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
 LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                            const Theme &theme, const View &view) {
   Obstacles obstacles(theme, view);
-  for (const Mark &mark : content.figure.marks)
-    if (!baseOf(mark).passes)
-      obstacles.addMark(mark);
+  for (std::size_t number = 0; number < content.figure.marks.size(); ++number)
+    if (const Mark &mark = content.figure.marks[number]; !baseOf(mark).passes)
+      obstacles.addMark(mark, number);
   for (const Knob &knob : content.knobs)
     obstacles.addDisc(knob.at, knobClearance);
   if (axes)

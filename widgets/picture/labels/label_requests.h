@@ -17,6 +17,8 @@ struct LabelText {
   LabelStand stand = LabelStand::Beside;
   bool isMark = false; ///< whether the id is a mark's
   double opacity = 1;
+  LabelOwner owner = nobody;
+  LabelRow row{};
 };
 
 /// The height of type in design pixels.

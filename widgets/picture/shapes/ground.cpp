@@ -73,15 +73,21 @@ std::vector<double> multiplesBetween(double low, double high, double spacing) {
   return numbers;
 }
 
-/// The places of an axis' ticks that the camera may see, without the origin and the tip.
-std::vector<double> ticksOf(double low, double high, double target, double viewHeight) {
+/// A tick of an axis, counted from the origin.
+struct Tick {
+  int number = 0;
+  double at = 0;
+};
+
+/// An axis' ticks that the camera may see, without the origin and the tip.
+std::vector<Tick> ticksOf(double low, double high, double target, double viewHeight) {
   const double step = gridStep(viewHeight);
   const double spacing = step * stepsPerMajor;
-  std::vector<double> ticks;
+  std::vector<Tick> ticks;
   for (const double number : multiplesBetween(std::max(low, target - tickReach * viewHeight),
                                               std::min(high, target + tickReach * viewHeight), spacing))
     if (number != 0 && number * spacing < high - step)
-      ticks.push_back(number * spacing);
+      ticks.push_back({static_cast<int>(number), number * spacing});
   return ticks;
 }
 
@@ -167,8 +173,8 @@ std::vector<AxisEnds> axisTicks(const AxesReach &reach, const Camera &camera, do
   std::vector<AxisEnds> ticks;
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
-    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
-      const Place at = axisDirections[i] * tick;
+    for (const Tick &tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
+      const Place at = axisDirections[i] * tick.at;
       ticks.push_back({at, at + tickDirection(i, camera) * (tickLength * scale)});
     }
   }
@@ -189,16 +195,19 @@ std::vector<Shape> axesOf(const AxesReach &reach, const Camera &camera, const Th
 AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale) {
   const auto i = static_cast<std::size_t>(axis);
   return {numberText(number, exponent),
-          axisDirections[i] * number + tickDirection(i, camera) * (tickLabelDistance * scale)};
+          axisDirections[i] * number + tickDirection(i, camera) * (tickLabelDistance * scale), false, axis};
 }
 
 std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent, double scale) {
   std::vector<AxisLabel> labels;
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
-    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height))
-      labels.push_back(axisNumber(axis, tick, camera, exponent, scale));
-    labels.push_back({axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true});
+    for (const Tick &tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
+      labels.push_back(axisNumber(axis, tick.at, camera, exponent, scale));
+      labels.back().tick = tick.number;
+    }
+    labels.push_back(
+        {axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true, axis});
   }
   return labels;
 }

@@ -58,6 +58,8 @@ struct AxisLabel {
   std::string latex;
   Place at{};
   bool isName = false;
+  int axis = 0; ///< 0, 1, 2: beside x, y, z
+  int tick = 0; ///< a number's tick, counted from the origin
 };
 
 /// A number at its place beside an axis (0, 1, 2 for x, y, z), written in scene units: a unit of the stage is
