@@ -21,8 +21,8 @@ constexpr std::size_t mostComparedVeils = 1500;
 constexpr std::size_t mostComparedPieces = 5'000'000;
 /// The pen around opaque faces, in points.
 constexpr double rim = 0.3;
-/// Depths that differ by less than this part are one.
-constexpr double sameDepth = 1e-7;
+/// What is nearer to the eye by less than this part is as near.
+constexpr double asNear = 1e-7;
 
 PixelBox boxOf(const PaintedThing &thing) {
   std::vector<glm::dvec2> spots;
@@ -37,7 +37,7 @@ struct SpotPair {
 };
 
 Spot mixed(const Spot &from, const Spot &to, double part) {
-  return {glm::mix(from.at, to.at, part), glm::mix(from.depth, to.depth, part)};
+  return {glm::mix(from.at, to.at, part), glm::mix(from.nearness, to.nearness, part)};
 }
 
 Spot nearestOn(const Spot &from, const Spot &to, glm::dvec2 spot) {
@@ -141,8 +141,8 @@ private:
     const auto met = meetingOf(first, second);
     if (!met)
       return;
-    const double nearer = met->other.depth - met->one.depth;
-    const bool areEven = std::abs(nearer) <= sameDepth * met->one.depth;
+    const double nearer = met->one.nearness - met->other.nearness;
+    const bool areEven = std::abs(nearer) <= asNear * std::abs(met->one.nearness);
     const std::pair firstOutside(first.rank, first.reach);
     const std::pair secondOutside(second.rank, second.reach);
     if (areEven && firstOutside == secondOutside)

@@ -41,7 +41,8 @@ double Paper::depthOf(const Place &place) const { return glm::dot(place - m_eye,
 Spot Paper::spotOf(const Place &place) const {
   const Place sight = place - m_eye;
   const glm::dvec2 onPage(glm::dot(sight, m_right), glm::dot(sight, m_down));
-  return {m_size / 2.0 + onPage * pointsPerUnitAt(place), depthOf(place)};
+  const double depth = depthOf(place);
+  return {m_size / 2.0 + onPage * pointsPerUnitAt(place), m_isOrthographic ? -depth : 1 / depth};
 }
 
 double Paper::pointsPerUnitAt(const Place &place) const {

@@ -10,10 +10,12 @@
 
 namespace halfspace {
 
-/// A place on the page, and how far away it is seen.
+/// A place on the page, and how near it is seen.
 struct Spot {
-  glm::dvec2 at{};  ///< in points
-  double depth = 0; ///< along the view, from the eye
+  glm::dvec2 at{}; ///< in points
+  /// Grows towards the eye, and along a straight line as evenly as the line goes over the page: the depth
+  /// does not, in perspective.
+  double nearness = 0;
 };
 
 /// Projects as the camera does (Camera::project), in points instead of pixels.
