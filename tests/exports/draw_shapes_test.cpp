@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -160,6 +161,28 @@ TEST_F(Drawn, ABody_HidesWhatStandsBehindIt) {
   ASSERT_TRUE(painted);
   EXPECT_EQ(painted->fill->opacity, 1);
   EXPECT_TRUE(painted->pen) << "no seam";
+}
+
+TEST_F(Drawn, WithHiddenLinesLeftOut_LabelsOfMarksThatAreWhollyHiddenAreToo) {
+  const auto labelled = [](auto mark, const std::string &id) {
+    mark = withId(mark, id);
+    mark.label = id;
+    return mark;
+  };
+  content.figure.add(labelled(wallAt(0), "W"));
+  content.figure.add(labelled(wallAt(-1, 2), "V")); // its border is hidden, the face is not
+  content.figure.add(labelled(pointAt({-2, 0, 0}), "B"));
+  content.figure.add(labelled(pointAt({2, 1, 1}), "A"));
+  content.figure.add(labelled(segmentBetween({-2, 2, 0}, {2, 2, 0}), "s"));
+  const auto labels = [&](HiddenLines hidden) {
+    std::set<std::string> marks;
+    for (const DrawingPart &part : drawing(hidden).parts)
+      if (const auto *formula = std::get_if<FormulaPart>(&part))
+        marks.insert(formula->mark);
+    return marks;
+  };
+  EXPECT_EQ(labels(HiddenLines::Dashed), (std::set<std::string>{"A", "B", "V", "W", "s"}));
+  EXPECT_EQ(labels(HiddenLines::LeftOut), (std::set<std::string>{"A", "V", "W", "s"}));
 }
 
 TEST_F(Drawn, PensHaveOneWidthWhereverTheirLinesAre) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -76,12 +77,53 @@ private:
   std::map<std::string, Ball> m_balls; ///< by their marks
 };
 
-std::vector<PathPart> spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
+/// Parts of a drawing, and the marks of which nothing is on it because they are wholly hidden.
+struct SpaceParts {
+  std::vector<PathPart> parts;
+  std::set<std::string> hiddenMarks{};
+};
+
+/// Takes the hidden things away. Marks that nothing is left of are those that are wholly hidden.
+std::set<std::string> leaveOutHidden(std::vector<PaintedThing> &things) {
+  const auto firstHidden = std::stable_partition(
+      things.begin(), things.end(), [](const PaintedThing &thing) { return !thing.veils.isHidden(); });
+  const auto addMarks = [](auto begin, auto end, std::set<std::string> &marks) {
+    for (auto thing = begin; thing != end; ++thing)
+      for (const PathPart &part : thing->parts)
+        marks.insert(part.mark);
+  };
+  std::set<std::string> hidden;
+  std::set<std::string> seen;
+  addMarks(firstHidden, things.end(), hidden);
+  addMarks(things.begin(), firstHidden, seen);
+  things.erase(firstHidden, things.end());
+  std::set<std::string> wholly;
+  std::set_difference(hidden.begin(), hidden.end(), seen.begin(), seen.end(),
+                      std::inserter(wholly, wholly.end()));
+  return wholly;
+}
+
+SpaceParts spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
   const FaceVeils faces(facesWithBodies(list, paper), paper);
   const LineRoom room{paper, faces.veils(), hidden};
   std::vector<PaintedThing> things = thingsOf(*list.layer(Layer::Axes), room);
   append(things, thingsOf(*list.layer(Layer::Solids), room));
-  return inPaintingOrder(faces.veils(), faces.looks(), std::move(things));
+  SpaceParts space;
+  if (hidden == HiddenLines::LeftOut)
+    space.hiddenMarks = leaveOutHidden(things);
+  for (const VeilLook &face : faces.looks()) // the border of a face may be hidden by others, the face is not
+    space.hiddenMarks.erase(face.mark);
+  space.parts = inPaintingOrder(faces.veils(), faces.looks(), std::move(things));
+  return space;
+}
+
+/// The labels and leaders of what is on a drawing. Those of the axes are of no mark.
+std::vector<Shape> labelsWithout(const std::set<std::string> &marks, std::vector<Shape> labels) {
+  labels.erase(
+      std::remove_if(labels.begin(), labels.end(),
+                     [&](const Shape &shape) { return !shape.mark.empty() && marks.contains(shape.mark); }),
+      labels.end());
+  return labels;
 }
 
 } // namespace
@@ -94,8 +136,10 @@ Drawing drawingOf(const ShapeList &list, const PaperLook &look) {
   if (list.background.isVisible)
     drawing.ground = groundOf(look, list.background.bottom);
   append(drawing.parts, groundParts(list, paper));
-  append(drawing.parts, spaceParts(list, paper, look.hidden));
-  append(drawing.parts, labelParts(*list.layer(Layer::Labels), paper.pointsPerPixel()));
+  SpaceParts space = spaceParts(list, paper, look.hidden);
+  append(drawing.parts, std::move(space.parts));
+  append(drawing.parts,
+         labelParts(labelsWithout(space.hiddenMarks, *list.layer(Layer::Labels)), paper.pointsPerPixel()));
   return drawing;
 }
 

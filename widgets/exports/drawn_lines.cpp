@@ -163,9 +163,8 @@ std::vector<PaintedThing> piecesOf(const DrawnLine &line, const LineRoom &room) 
   std::vector<PaintedThing> things;
   if (line.path.size() < 2)
     return things;
-  for (Run &run : runsOf(line, room)) {
-    const bool isLeftOut = run.veils.isHidden() && room.hidden == HiddenLines::LeftOut;
-    if (!isLeftOut && run.length() > leastWritten)
+  for (Run &run : runsOf(line, room))
+    if (run.length() > leastWritten)
       things.push_back(thingOf(line, std::move(run), room));
   }
   return things;

@@ -159,10 +159,7 @@ private:
   }
 
   void add(PaintedThing thing, PagePath outline, const Shape &shape) {
-    const bool isHidden = thing.veils.isHidden();
-    if (isHidden && m_room.hidden == HiddenLines::LeftOut)
-      return;
-    thing.parts.push_back({std::move(outline), Fill{shape.color}, {}, shape.mark, isHidden});
+    thing.parts.push_back({std::move(outline), Fill{shape.color}, {}, shape.mark, thing.veils.isHidden()});
     m_things.push_back(std::move(thing));
   }
 
