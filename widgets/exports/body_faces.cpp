@@ -13,11 +13,6 @@
 namespace halfspace {
 namespace {
 
-/// Up to so many faces are cut and ordered exactly.
-constexpr std::size_t mostOrdered = 2000;
-/// No more triangles than this are drawn.
-constexpr std::size_t mostDrawn = 20000;
-
 std::uint8_t shaded(std::uint8_t channel, double light) {
   return static_cast<std::uint8_t>(std::lround(std::min(255.0, channel * light)));
 }
@@ -44,7 +39,7 @@ std::vector<Shape> trianglesOf(const ShapeList &list) {
   forEach<BodyShape>(*list.layer(Layer::Bodies), [&](const Shape &, const BodyShape &body) {
     count += body.mesh->triangles.size() / body.stride;
   });
-  const std::size_t step = count / mostDrawn + 1;
+  const std::size_t step = count / mostDrawnTriangles + 1;
   std::vector<Shape> triangles;
   forEach<BodyShape>(*list.layer(Layer::Bodies), [&](const Shape &shape, const BodyShape &body) {
     const auto placed = [&](std::uint32_t corner) {
@@ -91,7 +86,7 @@ std::vector<Shape> facesWithBodies(const ShapeList &list, const Paper &paper) {
   std::vector<Shape> all = trianglesOf(list);
   if (all.empty())
     return faces;
-  const bool canBeOrdered = all.size() + faces.size() <= mostOrdered;
+  const bool canBeOrdered = all.size() + faces.size() <= mostOrderedFaces;
   if (!canBeOrdered)
     std::stable_sort(all.begin(), all.end(),
                      [&](const Shape &a, const Shape &b) { return depthOf(a, paper) > depthOf(b, paper); });

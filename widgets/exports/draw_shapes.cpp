@@ -105,7 +105,8 @@ std::set<std::string> leaveOutHidden(std::vector<PaintedThing> &things) {
 
 SpaceParts spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
   const FaceVeils faces(facesWithBodies(list, paper), paper);
-  const LineRoom room{paper, faces.veils(), hidden};
+  Questions questions;
+  const LineRoom room{paper, faces.veils(), hidden, questions};
   std::vector<PaintedThing> things = thingsOf(*list.layer(Layer::Axes), room);
   append(things, thingsOf(*list.layer(Layer::Solids), room));
   SpaceParts space;

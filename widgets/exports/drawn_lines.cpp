@@ -22,9 +22,6 @@ constexpr double leastPeriods = 2;
 /// A line that leaves a straight one by less than this, in points, is straight.
 constexpr double straightness = 0.05;
 
-/// More rounds of a rhythm than this are not told apart any more.
-constexpr double mostRounds = 400;
-
 /// A part of a line that is painted at one time.
 struct Run {
   std::vector<Spot> spots;
@@ -87,7 +84,7 @@ std::vector<Run> runsOf(const DrawnLine &line, const LineRoom &room) {
     if (!seen)
       continue;
     const SightedPiece piece{glm::mix(from, to, seen->first), glm::mix(from, to, seen->second)};
-    for (const StandingSpan &span : room.veils.spansOf(piece)) {
+    for (const StandingSpan &span : room.veils.spansOf(piece, room.questions)) {
       Run run;
       run.spots = {room.paper.spotOf(glm::mix(piece.from, piece.to, span.begin)),
                    room.paper.spotOf(glm::mix(piece.from, piece.to, span.end))};
@@ -166,7 +163,6 @@ std::vector<PaintedThing> piecesOf(const DrawnLine &line, const LineRoom &room) 
   for (Run &run : runsOf(line, room))
     if (run.length() > leastWritten)
       things.push_back(thingOf(line, std::move(run), room));
-  }
   return things;
 }
 

@@ -24,6 +24,7 @@ struct LineRoom {
   const Paper &paper;
   const Veils &veils;
   HiddenLines hidden;
+  Questions &questions; ///< that are left to all that is drawn there
 };
 
 /// The pieces of a line, each to be painted at one time. A closed line and one with corners stay in one piece
@@ -32,6 +33,9 @@ struct LineRoom {
 
 /// How long a straight piece is on the page, as far as it is seen.
 [[nodiscard]] double lengthOnPage(const Place &from, const Place &to, const Paper &paper);
+
+/// More rounds of a rhythm than this are not told apart any more.
+inline constexpr double mostRounds = 400;
 
 /// Dashes in a rhythm, stretched or shrunk as it takes for one to begin and one to end at the ends of a line
 /// of a length; as addDashes does.

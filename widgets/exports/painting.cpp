@@ -14,11 +14,6 @@
 namespace halfspace {
 namespace {
 
-/// Veils are compared one with another where there are no more than so many; more keep the order in which
-/// they came.
-constexpr std::size_t mostComparedVeils = 1500;
-/// Pairs of straight pieces that are looked at for which lies over which: some tenths of a second.
-constexpr std::size_t mostComparedPieces = 5'000'000;
 /// The pen around opaque faces, in points.
 constexpr double rim = 0.3;
 /// What is nearer to the eye by less than this part is as near.

@@ -26,6 +26,13 @@ struct PaintedThing {
   AmongVeils veils{};
 };
 
+/// Veils are compared one with another where there are no more than so many; more keep the order in which
+/// they came.
+inline constexpr std::size_t mostComparedVeils = 1500;
+/// Pairs of straight pieces that are looked at for which lies over which, in some tenths of a second; beyond
+/// that things keep the order in which they came.
+inline constexpr std::size_t mostComparedPieces = 5'000'000;
+
 /// Veils and things, from those farthest behind to those in front. `looks` are those of the veils, which come
 /// in an order in which they can be painted. Neighbouring pieces of one face become one path, which has no
 /// seams.

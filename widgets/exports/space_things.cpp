@@ -59,7 +59,7 @@ public:
     const Spot spot = m_room.paper.spotOf(ball.center);
     PaintedThing thing;
     thing.spine = {spot};
-    thing.veils = m_room.veils.standingOf(ball.center);
+    thing.veils = m_room.veils.standingOf(ball.center, m_room.questions);
     thing.rank = PaintedThing::Rank::Ball;
     thing.reach = ball.radius * discPerBall * m_room.paper.pointsPerUnit();
     PagePath outline = circlePath(spot.at, thing.reach);
@@ -124,7 +124,7 @@ private:
   /// A head that goes through a veil is cut there.
   void addHead(const Shape &shape, const Place &neck, const Place &tip, double radius) {
     std::vector<StandingSpan> spans;
-    for (StandingSpan &span : m_room.veils.spansOf({neck, tip}))
+    for (StandingSpan &span : m_room.veils.spansOf({neck, tip}, m_room.questions))
       if (!spans.empty() && spans.back().veils.with(span.veils).canBePainted())
         spans.back() = {spans.back().begin, span.end, spans.back().veils.with(span.veils)};
       else

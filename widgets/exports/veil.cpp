@@ -31,8 +31,6 @@ constexpr double mostTimesMore = 64;
 
 /// Veils that lie one over the other by less than this, in points, only touch.
 constexpr double hair = 0.01;
-/// How often it is asked how lines stand to veils: for about a second.
-constexpr std::size_t mostAsked = 40'000'000;
 
 /// Whether a line along one of the edges of a polygon has all of another one on its outer side.
 bool isParted(const std::vector<glm::dvec2> &corners, const std::vector<glm::dvec2> &others) {
@@ -208,11 +206,16 @@ bool Veils::overlap(std::size_t one, std::size_t other) const {
   return meet(m_boxes[one], m_boxes[other]) && !isParted(first, second) && !isParted(second, first);
 }
 
-std::vector<std::size_t> Veils::near(const PixelBox &box) const {
+bool Questions::ask(std::size_t count) {
+  const bool areLeft = count <= m_left;
+  m_left = areLeft ? m_left - count : 0;
+  return areLeft;
+}
+
+std::vector<std::size_t> Veils::near(const PixelBox &box, Questions &questions) const {
   std::vector<std::size_t> numbers;
-  if (m_asked > mostAsked)
+  if (!questions.ask(count()))
     return numbers;
-  m_asked += count();
   for (std::size_t i = 0; i < count(); ++i)
     if (meet(m_boxes[i], box))
       numbers.push_back(i);
@@ -226,9 +229,9 @@ AmongVeils AmongVeils::with(const AmongVeils &other) const {
   return both;
 }
 
-AmongVeils Veils::standingOf(const Place &place) const {
+AmongVeils Veils::standingOf(const Place &place, Questions &questions) const {
   AmongVeils among;
-  for (const std::size_t number : near(boxAround({m_paper.spotOf(place).at}))) {
+  for (const std::size_t number : near(boxAround({m_paper.spotOf(place).at}), questions)) {
     const Standing standing =
         std::visit([&](const auto &veil) { return veil.standingOf(place, m_paper); }, m_veils[number]);
     if (standing != Standing::Aside)
@@ -237,11 +240,11 @@ AmongVeils Veils::standingOf(const Place &place) const {
   return among;
 }
 
-std::vector<Veils::Stay> Veils::staysOf(const SightedPiece &piece) const {
+std::vector<Veils::Stay> Veils::staysOf(const SightedPiece &piece, Questions &questions) const {
   std::vector<Stay> stays;
   std::vector<double> parts;
   for (const std::size_t number :
-       near(boxAround({m_paper.spotOf(piece.from).at, m_paper.spotOf(piece.to).at}))) {
+       near(boxAround({m_paper.spotOf(piece.from).at, m_paper.spotOf(piece.to).at}), questions)) {
     parts.assign({0, 1});
     std::visit([&](const auto &veil) { veil.addChanges(piece, m_paper, parts); }, m_veils[number]);
     parts.erase(
@@ -261,8 +264,8 @@ std::vector<Veils::Stay> Veils::staysOf(const SightedPiece &piece) const {
   return stays;
 }
 
-std::vector<StandingSpan> Veils::spansOf(const SightedPiece &piece) const {
-  const std::vector<Stay> stays = staysOf(piece);
+std::vector<StandingSpan> Veils::spansOf(const SightedPiece &piece, Questions &questions) const {
+  const std::vector<Stay> stays = staysOf(piece, questions);
   std::vector<double> parts{0, 1};
   for (const Stay &stay : stays) {
     parts.push_back(stay.begin);
@@ -270,8 +273,7 @@ std::vector<StandingSpan> Veils::spansOf(const SightedPiece &piece) const {
   }
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  m_asked += parts.size() * stays.size();
-  if (m_asked > mostAsked)
+  if (!questions.ask(parts.size() * stays.size()))
     return {StandingSpan{}};
   std::vector<StandingSpan> spans;
   for (std::size_t i = 1; i < parts.size(); ++i) {

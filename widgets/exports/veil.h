@@ -90,6 +90,20 @@ struct StandingSpan {
   AmongVeils veils{};
 };
 
+/// How often it may still be asked how something stands to a veil.
+class Questions {
+public:
+  /// As many as take about a second.
+  static constexpr std::size_t most = 40'000'000;
+
+  explicit Questions(std::size_t left = most) : m_left(left) {}
+  /// Whether so many more may be asked; if not, none may from then on.
+  [[nodiscard]] bool ask(std::size_t count);
+
+private:
+  std::size_t m_left;
+};
+
 /// Veils by their numbers.
 class Veils {
 public:
@@ -103,10 +117,10 @@ public:
   [[nodiscard]] bool overlap(std::size_t one, std::size_t other) const;
 
   /// A piece, cut where its standing to one of the veils changes. Each veil that it comes near is asked, as
-  /// long as it can be paid for: where very many lines meet very many veils the last stand before them all.
-  [[nodiscard]] std::vector<StandingSpan> spansOf(const SightedPiece &piece) const;
+  /// long as questions are left: where very many lines meet very many veils the last stand aside of all.
+  [[nodiscard]] std::vector<StandingSpan> spansOf(const SightedPiece &piece, Questions &questions) const;
   /// Of a single place.
-  [[nodiscard]] AmongVeils standingOf(const Place &place) const;
+  [[nodiscard]] AmongVeils standingOf(const Place &place, Questions &questions) const;
 
 private:
   /// A part of the way of a piece in which it stands in one way to one veil.
@@ -116,13 +130,12 @@ private:
     std::size_t veil;
     Standing standing;
   };
-  [[nodiscard]] std::vector<std::size_t> near(const PixelBox &box) const;
-  [[nodiscard]] std::vector<Stay> staysOf(const SightedPiece &piece) const;
+  [[nodiscard]] std::vector<std::size_t> near(const PixelBox &box, Questions &questions) const;
+  [[nodiscard]] std::vector<Stay> staysOf(const SightedPiece &piece, Questions &questions) const;
 
   const Paper &m_paper;
   std::vector<Veil> m_veils;
   std::vector<PixelBox> m_boxes; ///< around them, in points
-  mutable std::size_t m_asked = 0;
 };
 
 } // namespace halfspace
