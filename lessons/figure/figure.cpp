@@ -25,6 +25,11 @@ bool hasNoEnd(const Mark &mark) {
          std::holds_alternative<LineMark>(mark);
 }
 
+bool hasNumbers(const Mark &mark) {
+  const auto *point = std::get_if<PointMark>(&mark);
+  return !baseOf(mark).numbers.empty() || (point && !point->coordinates.empty());
+}
+
 } // namespace
 
 void Figure::reachWithin(const std::string &plane, const std::string &ray, const Place &origin,
@@ -52,10 +57,16 @@ Figure reaching(Figure figure) {
   return figure;
 }
 
+void clearNumbers(Mark &mark) {
+  baseOf(mark).numbers.clear();
+  if (auto *point = std::get_if<PointMark>(&mark))
+    point->coordinates.clear();
+}
+
 Figure withoutNumbers(Figure figure) {
   for (std::size_t place = 0; place < figure.marks.size(); ++place)
-    if (!baseOf(figure.marks[place]).numbers.empty())
-      figure.marks.change(place, [](Mark &mark) { baseOf(mark).numbers.clear(); });
+    if (hasNumbers(figure.marks[place]))
+      figure.marks.change(place, [](Mark &mark) { clearNumbers(mark); });
   return figure;
 }
 

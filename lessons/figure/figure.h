@@ -37,7 +37,11 @@ struct Figure {
   return nullptr;
 }
 
-/// The figure without the numbers in its labels: `d` for `d = 10`, `E` for `E: x + 2y + 2z − 27 = 0`.
+/// Leaves the letter alone of a mark's label: `d` of `d = 10`, `E` of `E: x + 2y + 2z − 27 = 0`, and no
+/// coordinates to be written behind it.
+void clearNumbers(Mark &mark);
+
+/// The figure with letters alone in its labels.
 [[nodiscard]] Figure withoutNumbers(Figure figure);
 
 } // namespace halfspace

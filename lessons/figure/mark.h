@@ -64,6 +64,9 @@ struct Extent {
 
 struct PointMark : MarkBase {
   Place at{};
+  /// LaTeX that goes on behind the label where coordinates are written: `{(11,15,8)}`; stays away while
+  /// numbers are hidden.
+  std::string coordinates{};
   bool operator==(const PointMark &) const = default;
 };
 

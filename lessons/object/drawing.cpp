@@ -1,7 +1,10 @@
 #include "lessons/object/drawing.h"
 
 #include "lessons/object/letters.h"
+#include "lessons/term/among_words.h"
 #include "lessons/term/latex.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
 
 #include <glm/geometric.hpp>
 
@@ -19,8 +22,14 @@ MarkBase drawn(const Term &letter, Role role, Subject subject) {
   return {letter->mark, role, subject, latexOf(letter)};
 }
 
+std::string writtenCoordinates(const Term &point) {
+  const Term numbers = amongWords(calculated(point));
+  // A group of its own stands close to the letter, as an argument does.
+  return (showsRounded(numbers) ? "\\approx {" : "{") + latexOf(numbers, Fractions::Flat) + "}";
+}
+
 PointMark pointOf(const Term &letter, Role role, Subject subject) {
-  return {drawn(letter, role, subject), place(letter)};
+  return {drawn(letter, role, subject), place(letter), writtenCoordinates(letter)};
 }
 
 ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject) {

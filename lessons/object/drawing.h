@@ -13,9 +13,14 @@ namespace halfspace {
 /// The same of a term that comes to a point or a vector.
 [[nodiscard]] Place place(const Term &term);
 
+/// The coordinates of a point as a label has them behind its letter, in LaTeX: `{(11,15,8)}`, or
+/// `\approx {(…)}` where a number is rounded.
+[[nodiscard]] std::string writtenCoordinates(const Term &point);
+
 /// What the mark has that draws a letter: its id is the mark that the term says it is, its label the letter.
 [[nodiscard]] MarkBase drawn(const Term &letter, Role role, Subject subject);
-/// A letter that is a point, drawn where it is; and one that is a vector, drawn from a place.
+/// A letter that is a point, drawn where it is, with its coordinates; and one that is a vector, drawn from a
+/// place.
 [[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
 [[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 

@@ -68,7 +68,8 @@ MarkBase partOf(const Given<Object> &given, std::size_t index, Subject subject) 
 }
 
 PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject) {
-  return {partOf(given, index, subject), place(given.object[index])};
+  return {partOf(given, index, subject), place(given.object[index]),
+          writtenCoordinates(coordinateTerm(given, index))};
 }
 
 ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject) {

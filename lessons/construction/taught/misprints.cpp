@@ -339,7 +339,8 @@ void drawPlane(Figure &figure, const Out &at) {
   const Place foot = place(at.F);
   figure.add(pointOf(at.F, Role::Derived, Subject::Measure));
   figure.add(SegmentMark{{at.mark("F/distance"), Role::Helper, Subject::Measure}, foot, place(at.Q)});
-  figure.add(PointMark{{at.mark("B/origin"), Role::Helper, Subject::Neutral, "O"}, origin});
+  figure.add(
+      pointOf(name(letter("O"), ExactVec3(0)).marked(at.mark("B/origin")), Role::Helper, Subject::Neutral));
   figure.add(pointOf(at.B, Role::Derived, Subject::Plane));
   figure.add(SegmentMark{{at.mark("B/way"), Role::Helper, Subject::Plane}, origin, place(at.B)});
 }

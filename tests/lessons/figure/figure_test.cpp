@@ -245,6 +245,15 @@ TEST(Figure, WithoutItsNumbers_SharesTheMarksThatHadNone) {
   EXPECT_EQ(baseOf(figure.marks[1]).numbers, "= 1");
 }
 
+TEST(Figure, WithoutItsNumbers_HasNoCoordinatesToBeWritten) {
+  PointMark point = withId(pointAt({4, 5, 6}), "Q");
+  point.label = "Q";
+  point.coordinates = "{(4,5,6)}";
+  const Figure bare = withoutNumbers({{point}});
+  EXPECT_EQ(std::get<PointMark>(bare.marks[0]).coordinates, "");
+  EXPECT_EQ(baseOf(bare.marks[0]).label, "Q");
+}
+
 TEST(Reaching, AMarkThatNothingReaches_IsShared) {
   Figure figure;
   figure.add(withId(patchAt({0, 0, 0}, {0, 0, 1}), "E"));

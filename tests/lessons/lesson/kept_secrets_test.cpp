@@ -55,8 +55,12 @@ private:
       // What the author has written is no live value: the 0 of “it is 0 in the plane”.
       EXPECT_TRUE(tells(words.text.written(), answer) || !tells(filled, answer)) << filled;
     }
-    for (const Mark &mark : withoutNumbers(m_shown.figure).marks)
+    for (const Mark &mark : withoutNumbers(m_shown.figure).marks) {
       EXPECT_FALSE(tells(baseOf(mark).label + baseOf(mark).numbers, answer)) << baseOf(mark).id;
+      if (const auto *point = std::get_if<PointMark>(&mark)) {
+        EXPECT_EQ(point->coordinates, "") << point->id;
+      }
+    }
   }
 
   /// The lines that wait for one that is still blank when all others are filled in.
