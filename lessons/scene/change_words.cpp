@@ -76,4 +76,10 @@ std::string wordsForChanging(const Scene &scene, const CoordinateId &id) {
   return words("Change {name}", {{"name", nameOf(*given, id.index)}});
 }
 
+std::string wordsForLabel(const ChangeLabel &change) {
+  if (change.label && change.label->isHidden)
+    return words("Hide a label");
+  return change.label && change.label->spot ? words("Move a label") : words("Put a label back");
+}
+
 } // namespace halfspace

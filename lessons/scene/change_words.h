@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/object/handle.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/edit.h"
 
 namespace halfspace {
 
@@ -12,5 +12,7 @@ namespace halfspace {
 /// What giving a coordinate of the scene another number does, in the same words: “Move the tip of r”; a
 /// number that is no place is changed: “Change R of S”.
 [[nodiscard]] std::string wordsForChanging(const Scene &scene, const CoordinateId &id);
+/// What is done to a label: “Move a label”, “Hide a label”, “Put a label back”.
+[[nodiscard]] std::string wordsForLabel(const ChangeLabel &change);
 
 } // namespace halfspace

@@ -59,6 +59,8 @@ struct Applier {
     std::set<std::string> going{dependents.begin(), dependents.end()};
     going.insert(edit.name);
     scene.entries.eraseIf([&](const Entry &entry) { return going.contains(entry.name); });
+    for (const std::string &name : going)
+      scene.labels = withoutEntry(std::move(scene.labels), name);
     return std::move(scene);
   }
 
@@ -70,6 +72,7 @@ struct Applier {
     for (std::size_t other = 0; other < scene.entries.size(); ++other)
       if (looksAt(scene.entries[other], edit.name))
         scene.entries.change(other, [&](Entry &entry) { followRename(entry, edit); });
+    scene.labels = withEntryRenamed(scene.labels, edit.name, edit.newName);
     return checked(std::move(scene));
   }
 
@@ -97,6 +100,21 @@ struct Applier {
     scene.entries.erase(*place);
     scene.entries.insert(std::min(edit.index, scene.entries.size()), std::move(moved));
     return checked(std::move(scene));
+  }
+
+  Result<Scene> operator()(const ChangeLabel &edit) {
+    const std::string entry(entryOfMark(edit.mark));
+    if (!scene.entries.find(entry))
+      return noEntry(entry);
+    if (auto problem = refuseLabel(scene.labels, edit.mark))
+      return *problem;
+    const LabelByHand label = edit.label.value_or(LabelByHand());
+    if (label == LabelByHand())
+      scene.labels.erase(edit.mark);
+    else
+      scene.labels[edit.mark] = {label.spot ? std::optional(settled(*label.spot)) : std::nullopt,
+                                 label.isHidden};
+    return std::move(scene);
   }
 
 private:

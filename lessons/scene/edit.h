@@ -18,13 +18,14 @@ struct AddEntry {
   Entry entry;
 };
 
-/// Takes an entry away. Refused where others look at it, unless they go with it.
+/// Takes an entry away, with what was done to the labels of its marks. Refused where others look at it,
+/// unless they go with it.
 struct RemoveEntry {
   std::string name;
   bool withDependents = false;
 };
 
-/// Gives an entry another name; those that look at it follow.
+/// Gives an entry another name; those that look at it follow, and so do the labels of its marks.
 struct RenameEntry {
   std::string name;
   std::string newName;
@@ -45,7 +46,14 @@ struct MoveEntry {
   std::size_t index;
 };
 
-using Edit = std::variant<ChangeObject, AddEntry, RemoveEntry, RenameEntry, RebindRole, MoveEntry>;
+/// Puts the label of a mark somewhere else, or hides it; nothing: as if nobody had touched it.
+struct ChangeLabel {
+  std::string mark; ///< its id; the entry that it belongs to must be there, the mark may be of another case
+  std::optional<LabelByHand> label{};
+};
+
+using Edit =
+    std::variant<ChangeObject, AddEntry, RemoveEntry, RenameEntry, RebindRole, MoveEntry, ChangeLabel>;
 
 /// The scene after an edit; or why it is refused. What comes out can be evaluated if what went in could.
 [[nodiscard]] Result<Scene> apply(Scene scene, const Edit &edit);

@@ -50,6 +50,16 @@ std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given, const st
                    {{host, toDouble(given->object[0])}});
 }
 
+Figure withoutHiddenLabels(Figure figure, const LabelsByHand &labels) {
+  for (std::size_t place = 0; place < figure.marks.size() && !labels.empty(); ++place)
+    if (isLabelHidden(labels, baseOf(figure.marks[place]).id))
+      figure.marks.change(place, [](Mark &mark) {
+        clearNumbers(mark);
+        baseOf(mark).label.clear();
+      });
+  return figure;
+}
+
 /// The outcome of what cannot be told now, for a reason.
 std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
   return std::make_shared<const Outcome>(Outcome{{},
@@ -280,7 +290,7 @@ Figure figureOf(const Evaluation &evaluation) {
     all.marks.append(own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }
-  return reaching(std::move(all));
+  return withoutHiddenLabels(reaching(std::move(all)), evaluation.scene.labels);
 }
 
 WorkingLine lineOf(const EvaluatedEntry &entry, const std::string &id) {

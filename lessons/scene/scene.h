@@ -3,6 +3,7 @@
 
 #include "lessons/figure/look.h"
 #include "lessons/object/object.h"
+#include "lessons/scene/label_by_hand.h"
 #include "lessons/scene/qualified_name.h"
 #include "lessons/shared_list.h"
 
@@ -54,6 +55,7 @@ struct Entry {
 /// share their entries: one that an edit does not touch is the same in the scenes before and after it.
 struct Scene {
   NamedList<Entry> entries;
+  LabelsByHand labels{}; ///< of marks of its entries
   bool operator==(const Scene &) const = default;
 };
 

@@ -139,6 +139,25 @@ TEST(Translated, RefusalsOfFiles_SayNothingInEnglish) {
   }
 }
 
+TEST(Translated, RefusalsOfLabels_SayNothingInEnglish) {
+  const SpokenToIn nobody(pseudoLanguage());
+  const std::string tooLong = "{\"Q." + std::string(longestMarkId, 'n') + "\":{}}";
+  for (const std::string &labels :
+       {std::string("3"), std::string(R"({"X":{}})"), std::string(R"({"Q":{"at":1}})"),
+        std::string(R"({"Q":{"at":[1,1000]}})"), std::string(R"({"Q":{"side":"top"}})"), tooLong}) {
+    const auto session = readSession(
+        R"({"format":"halfspace","version":5,"lesson":"a","step":0,"scene":[{"name":"Q","point":[1,2,3]}],)"
+        R"("labels":)" +
+            labels + "}",
+        "a.halfspace");
+    ASSERT_FALSE(session) << labels;
+    expectTranslated(session.problem().sentence, {});
+  }
+  for (const ChangeLabel &change : {ChangeLabel{"Q", {}}, ChangeLabel{"Q", LabelByHand{LabelSpot()}},
+                                    ChangeLabel{"Q", LabelByHand{{}, true}}})
+    expectTranslated(wordsForLabel(change), {});
+}
+
 TEST(Translated, RefusalsOfEditsAndValues_SayNothingInEnglish) {
   const SpokenToIn nobody(pseudoLanguage());
   const Scene scene = distanceScene();
@@ -146,7 +165,8 @@ TEST(Translated, RefusalsOfEditsAndValues_SayNothingInEnglish) {
        {Edit(ChangeObject{"Q", PlaneObject{}}), Edit(ChangeObject{"nobody", PlaneObject{}}),
         Edit(AddEntry{0, {"Q", PointObject{}}}), Edit(RemoveEntry{"E"}), Edit(RenameEntry{"E", "Q"}),
         Edit(RebindRole{"E", "on", "Q"}), Edit(RebindRole{"Q", hostRole, "E"}),
-        Edit(RebindRole{"distance", "E", "Q"}), Edit(MoveEntry{"distance", 0})}) {
+        Edit(RebindRole{"distance", "E", "Q"}), Edit(MoveEntry{"distance", 0}),
+        Edit(ChangeLabel{"nobody", LabelByHand{{}, true}})}) {
     const auto edited = apply(scene, edit);
     ASSERT_FALSE(edited);
     expectTranslated(edited.problem().sentence, {"distance"});

@@ -1,24 +1,16 @@
 #include "lessons/scene/file/camera_reader.h"
 
-#include "lessons/reading/typed_number.h"
+#include "lessons/reading/decimal_field.h"
 #include "lessons/words.h"
 
 namespace halfspace {
 namespace {
 
-double readDouble(const DocumentNode &node, const std::string &field, FieldReader &fields) {
-  const auto value = readCoordinate(node.text);
-  if (value)
-    return toDouble(*value);
-  fields.complain(node, field, value.problem().sentence);
-  return 0;
-}
-
 void readPlace(const DocumentNode &node, const std::string &field, FieldReader &fields, glm::dvec3 &place) {
   if (node.kind != DocumentNode::Kind::List || node.children.size() != 3)
     return fields.complain(node, field, words("Here three numbers are expected, as [1, 2, 3]."));
   for (int i = 0; i < 3; ++i)
-    place[i] = readDouble(node.children[static_cast<std::size_t>(i)], field, fields);
+    place[i] = readDecimal(node.children[static_cast<std::size_t>(i)], field, fields);
 }
 
 } // namespace
@@ -30,7 +22,7 @@ void readCameraView(const DocumentNode &node, const std::string &field, FieldRea
   if (const DocumentNode *at = fields.optional("at"))
     readPlace(*at, field + ".at", fields, view.at);
   if (const DocumentNode *height = fields.optional("height"))
-    view.height = readDouble(*height, field + ".height", fields);
+    view.height = readDecimal(*height, field + ".height", fields);
   if (view.from == glm::dvec3(0))
     fields.complain(node, field + ".from",
                     words("The camera cannot look from no direction: give one that is not zero."));

@@ -2,6 +2,7 @@
 
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/file/camera_reader.h"
+#include "lessons/scene/file/label_fields.h"
 #include "lessons/scene/file/large_meshes.h"
 #include "lessons/scene/file/scene_reader.h"
 #include "lessons/scene/file/scene_writer.h"
@@ -69,13 +70,16 @@ Problem unknownCoordinate(const Scene &scene, const std::string &name) {
 } // namespace
 
 std::string writeSession(const Session &session) {
+  const Scene scene = withoutLargeMeshes(session.scene);
   Json json{{"format", formatName},
             {"version", sessionFileVersion},
             {"lesson", session.lesson},
             {"step", session.step},
-            {"scene", jsonOf(withoutLargeMeshes(session.scene))}};
+            {"scene", jsonOf(scene)}};
   if (session.view)
     json["view"] = jsonOf(*session.view);
+  if (!scene.labels.empty())
+    json[labelsField] = jsonOf(scene.labels);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -91,7 +95,7 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
   FieldReader fields(*root, file, "");
   checkFormat(*root, fields);
   if (!fields.problem())
-    fields.allowOnly({"format", "version", "lesson", "step", "scene", "view"});
+    fields.allowOnly({"format", "version", "lesson", "step", "scene", "view", labelsField});
   Session session;
   session.lesson = fields.lessonId("lesson");
   session.step = fields.integer("step", 0, highestStep);
@@ -104,6 +108,10 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
   if (!scene)
     return scene.problem();
   session.scene = std::move(*scene);
+  if (const DocumentNode *labels = fields.optional(labelsField))
+    session.scene.labels = readLabels(*labels, session.scene, fields);
+  if (fields.problem())
+    return *fields.problem();
   return session;
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 namespace halfspace {
 namespace {
@@ -102,10 +103,50 @@ TEST(MoveEntry, WithinWhatItLooksAtAndWhatLooksAtIt_StandsThere) {
   EXPECT_NE(refusal(chain(), MoveEntry{"E", 3}), "");
 }
 
+const LabelByHand moved{LabelSpot{{1.5, -2}, LabelSpot::Side::Left}};
+
+TEST(ChangeLabel, OfAMark_IsKept_UntilItIsPutBack) {
+  const Scene after = edited(distanceScene(), {ChangeLabel{"distance.F", moved}});
+  EXPECT_EQ(after.labels, (LabelsByHand{{"distance.F", moved}}));
+  EXPECT_EQ(after.entries, distanceScene().entries);
+  EXPECT_NE(after, distanceScene());
+  EXPECT_EQ(edited(after, {ChangeLabel{"distance.F", {}}}), distanceScene());
+  EXPECT_EQ(edited(after, {ChangeLabel{"distance.F", LabelByHand()}}), distanceScene());
+}
+
+TEST(ChangeLabel, TooFarAwayOrOfNoNumber_IsBroughtWithinBounds) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Scene after = edited(distanceScene(), {ChangeLabel{"Q", LabelByHand{LabelSpot{{1e9, none}}}},
+                                               ChangeLabel{"E", LabelByHand{LabelSpot{{1.0 / 3, -1e9}}}}});
+  EXPECT_EQ(after.labels.at("Q").spot->offset, glm::dvec2(mostLabelOffset, 0));
+  EXPECT_EQ(after.labels.at("E").spot->offset, glm::dvec2(0.33, -mostLabelOffset));
+}
+
+TEST(ChangeLabel, OfNoEntryOrBeyondTheLimits_IsRefused) {
+  EXPECT_EQ(refusal(distanceScene(), ChangeLabel{"X.n", moved}), "There is no “X” in the scene.");
+  EXPECT_NE(refusal(distanceScene(), ChangeLabel{"", moved}), "");
+  EXPECT_NE(refusal(distanceScene(), ChangeLabel{"Q." + std::string(longestMarkId, 'a'), moved}), "");
+  Scene full = distanceScene();
+  for (std::size_t i = 0; i < mostLabelsByHand; ++i)
+    full.labels["Q." + std::to_string(i)] = moved;
+  EXPECT_EQ(refusal(full, ChangeLabel{"Q", moved}), "At most 200 labels can be moved or hidden.");
+  EXPECT_EQ(refusal(full, ChangeLabel{"Q.7", LabelByHand{{}, true}}), "");
+}
+
+TEST(ChangeLabel, FollowsANewName_AndGoesWithItsEntry) {
+  const Scene labelled =
+      edited(chain(), {ChangeLabel{"distance", moved}, ChangeLabel{"distance.F/angle", moved},
+                       ChangeLabel{"E/side", moved}, ChangeLabel{"again.F", moved}});
+  const Scene renamed = edited(labelled, {RenameEntry{"distance", "d"}});
+  EXPECT_EQ(renamed.labels,
+            (LabelsByHand{{"E/side", moved}, {"again.F", moved}, {"d", moved}, {"d.F/angle", moved}}));
+  EXPECT_EQ(edited(renamed, {RemoveEntry{"d", true}}).labels, (LabelsByHand{{"E/side", moved}}));
+}
+
 TEST(Edits, ThousandsAtRandom_LeaveScenesThatCanBeEvaluatedWrittenAndRead) {
   int accepted = 0;
-  std::array<int, 6> byKind{};
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  std::array<int, std::variant_size_v<Edit>> byKind{};
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
     RandomEdits random(seed);
     Scene scene = chain();
     Evaluation evaluation = evaluate(scene);

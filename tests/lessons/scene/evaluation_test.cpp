@@ -270,5 +270,22 @@ TEST(FindConstruction, OfAnUnknownId_FindsNone) {
   EXPECT_EQ(findConstruction("ray-plane-dot")->id, "ray-plane-dot");
 }
 
+TEST(FigureOf, AScene_HasNoLabelsThatSomebodyHasHidden_AndAllItsMarks) {
+  Scene scene = distanceScene();
+  const Evaluation before = evaluate(scene);
+  const Figure whole = figureOf(before);
+  scene.labels = {{"E", {{}, true}}, {"Q", {LabelSpot{{1, 2}}, true}}, {"E.n", {LabelSpot{{1, 2}}, false}}};
+  const Figure figure = figureOf(evaluate(scene, before));
+  ASSERT_EQ(figure.marks.size(), whole.marks.size());
+  for (std::size_t i = 0; i < whole.marks.size(); ++i) {
+    const MarkBase &mark = baseOf(figure.marks[i]);
+    const bool isHidden = mark.id == "E" || mark.id == "Q";
+    EXPECT_EQ(mark.id, baseOf(whole.marks[i]).id);
+    EXPECT_EQ(mark.label, isHidden ? "" : baseOf(whole.marks[i]).label);
+    EXPECT_EQ(mark.numbers, isHidden ? "" : baseOf(whole.marks[i]).numbers);
+  }
+  EXPECT_EQ(std::get<PointMark>(*findMark(figure, "Q")).coordinates, "");
+}
+
 } // namespace
 } // namespace halfspace

@@ -62,6 +62,21 @@ TEST(History, OfAnEdit_KeepsWhatTheEditChanged_AndSharesAllElse) {
   EXPECT_EQ(again.entries.shared(2), before.entries.shared(2));
 }
 
+TEST(History, OfALabelThatIsDragged_IsOneStep_ThatTheSceneGoesBackFrom) {
+  History history = distanceHistory();
+  const GestureToken token = history.beginGesture("Move a label");
+  for (const double x : {1.0, 2.0, 3.0})
+    EXPECT_TRUE(history.moveGesture(token, ChangeLabel{"Q", LabelByHand{LabelSpot{{x, 1}}}}));
+  history.endGesture(token);
+  EXPECT_EQ(history.count(), 1);
+  EXPECT_FALSE(history.isClean()) << "it is to be saved";
+  EXPECT_EQ(history.session().scene.labels.at("Q").spot->offset.x, 3);
+  ASSERT_TRUE(history.undo());
+  EXPECT_TRUE(history.session().scene.labels.empty());
+  ASSERT_TRUE(history.redo());
+  EXPECT_FALSE(history.session().scene.labels.empty());
+}
+
 TEST(History, UndoneAndEdited_ForgetsWhatWasUndone) {
   History history = distanceHistory();
   ASSERT_FALSE(history.edit({moved("Q", 1)}, "first"));

@@ -15,7 +15,7 @@ public:
   explicit RandomEdits(std::uint64_t seed) : m_engine(seed) {}
 
   Edit next(const Scene &scene) {
-    switch (below(6)) {
+    switch (below(7)) {
     case 0:
       return anyChange(scene);
     case 1:
@@ -26,6 +26,8 @@ public:
       return RenameEntry{anyName(scene), newName()};
     case 4:
       return anyRebinding(scene);
+    case 5:
+      return anyLabel(scene);
     default:
       return MoveEntry{anyName(scene), below(scene.entries.size() + 1)};
     }
@@ -59,6 +61,14 @@ private:
     const std::string name = anyName(scene);
     const Object *object = findObject(scene, name);
     return ChangeObject{name, object && below(4) > 0 ? objectOf(kindOf(*object)) : anyObject()};
+  }
+  /// Of a mark that may be there; one that was moved is hidden or put back now and then.
+  Edit anyLabel(const Scene &scene) {
+    const std::string mark = anyReference(scene);
+    if (below(4) == 0)
+      return ChangeLabel{mark, {}};
+    const LabelSpot spot{{small() / 7.0, small() * 30.0}, static_cast<LabelSpot::Side>(below(3))};
+    return ChangeLabel{mark, LabelByHand{spot, below(3) == 0}};
   }
   /// Of a role that there is, where there is one: to anything, or to what a construction looks at already.
   Edit anyRebinding(const Scene &scene) {

@@ -94,7 +94,7 @@ TEST(SessionFile, View_IsKeptToAMillionth) {
 
 TEST(SessionFile, WithoutAView_HasNone_AsThoseOfOlderVersions) {
   EXPECT_EQ(writeSession(startSession()).find("view"), std::string::npos);
-  for (const char *version : {"1", "2", "3", "4"}) {
+  for (const char *version : {"1", "2", "3", "4", "5"}) {
     const auto session = readSession(
         std::string(R"({"format":"halfspace","lesson":"x","step":0,"scene":[],"version":)") + version + "}",
         file);
@@ -119,6 +119,76 @@ TEST(SessionFile, BrokenView_IsRefusedWithLineAndField) {
     EXPECT_EQ(problem.field, field) << view;
     EXPECT_EQ(problem.line, 2) << view;
   }
+}
+
+/// A session file with labels by hand, which stand in the second line.
+std::string withLabels(const std::string &labels) {
+  return R"({"format":"halfspace","version":5,"lesson":"x","step":0,"scene":[{"name":"Q","point":[1,2,3]}],
+"labels":)" +
+         labels + "}";
+}
+
+TEST(SessionFile, LabelsThatWereMovedOrHidden_AreKept) {
+  Session session = startSession();
+  EXPECT_EQ(writeSession(session).find("labels"), std::string::npos);
+  session.scene.labels = {{"E", {{}, true}},
+                          {"Q", {LabelSpot{{1.5, -2.25}, LabelSpot::Side::Left}, false}},
+                          {"distance.F", {LabelSpot{{-100, 0.01}, LabelSpot::Side::Right}, true}},
+                          {"distance.F/angle", {LabelSpot{{0, 3}, LabelSpot::Side::Middle}, false}}};
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(again->scene.labels, session.scene.labels);
+  EXPECT_EQ(*again, session);
+}
+
+TEST(SessionFile, OffsetsOfLabels_AreKeptToAHundredth) {
+  Session session = startSession();
+  session.scene.labels = {{"Q", {LabelSpot{{1.0 / 3, 1e9}}}}};
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(again->scene.labels.at("Q").spot->offset, glm::dvec2(0.33, mostLabelOffset));
+  EXPECT_EQ(*readSession(writeSession(*again), file), *again);
+}
+
+TEST(SessionFile, LabelsThatSayNothing_AreNone) {
+  for (const char *labels : {"{}", R"({"Q":{}})", R"({"Q":{"hidden":false}})", R"({"Q":{"side":"left"}})"}) {
+    const auto session = readSession(withLabels(labels), file);
+    ASSERT_TRUE(session) << session.problem().text();
+    EXPECT_TRUE(session->scene.labels.empty()) << labels;
+  }
+}
+
+TEST(SessionFile, BrokenLabels_AreRefusedWithLineAndField) {
+  for (const auto &[labels, field] : {std::pair("3", "labels"),
+                                      {"[]", "labels"},
+                                      {R"({"Q":[1,2]})", "labels.Q"},
+                                      {R"({"Q":3})", "labels.Q"},
+                                      {R"({"R":{"hidden":true}})", "labels.R"},
+                                      {R"({"":{"hidden":true}})", "labels"},
+                                      {R"({"Q":{"at":[1]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[1,2,3]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[1,"x"]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[1,"1e999"]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[0,100.01]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[-101,0]}})", "labels.Q.at"},
+                                      {R"({"Q":{"at":[0,1],"side":"top"}})", "labels.Q.side"},
+                                      {R"({"Q":{"at":[0,1],"side":3}})", "labels.Q.side"},
+                                      {R"({"Q":{"hidden":"perhaps"}})", "labels.Q.hidden"},
+                                      {R"({"Q":{"color":"red"}})", "labels.Q.color"}}) {
+    const Problem problem = problemOf(withLabels(labels));
+    EXPECT_EQ(problem.field, field) << labels << ": " << problem.sentence;
+    EXPECT_EQ(problem.line, 2) << labels;
+  }
+}
+
+TEST(SessionFile, WithTooManyLabelsOrTooLongIds_IsRefused) {
+  std::string labels = "{\"Q\":{\"hidden\":true}";
+  for (std::size_t i = 0; i < mostLabelsByHand; ++i)
+    labels += ",\"Q/" + std::to_string(i) + "\":{\"hidden\":true}";
+  const Problem tooMany = problemOf(withLabels(labels + "}"));
+  EXPECT_TRUE(mentions(tooMany, "at most 200 are read")) << tooMany.text();
+  EXPECT_TRUE(mentions(problemOf(withLabels("{\"Q." + std::string(longestMarkId, 'n') + "\":{}}")),
+                       "at most 200 bytes"));
 }
 
 TEST(Session, LookedAtFromElsewhere_IsTheSame) {
