@@ -117,7 +117,7 @@ double Composer::scale() const { return designScale(m_view.camera, m_view.size, 
 
 void Composer::workOutContent() {
   m_worked.thinned = thinned(m_content.figure, m_content.highlighted);
-  m_worked.axes = m_content.stage.hasAxes() ? std::optional(axesAround(m_content.figure)) : std::nullopt;
+  m_worked.axes = m_content.showsAxes() ? std::optional(axesAround(m_content.figure)) : std::nullopt;
 }
 
 void Composer::composeFigure() {
@@ -157,7 +157,7 @@ void Composer::composeFaces() {
 }
 
 void Composer::composeGround() {
-  if (!m_content.stage.hasGround()) {
+  if (!m_content.stage.hasGround() || !m_content.shown.grid) {
     m_grid.reset();
     return put(Layer::Ground, {});
   }
@@ -189,8 +189,8 @@ void Composer::composeLabels() {
 std::optional<Shadows> Composer::shadows() const {
   // Seen from below, shadows on the ground would only cover what casts them. Their colour is that of a
   // darkened background: where there is none they would be patches on whatever lies behind the picture.
-  if (!m_content.stage.hasGround() || !m_content.hasShadows || !m_isBackgroundVisible ||
-      m_view.camera.eye().z <= 0)
+  const bool areWanted = m_content.hasShadows && m_content.shown.shadows;
+  if (!areWanted || !m_content.stage.hasGround() || !m_isBackgroundVisible || m_view.camera.eye().z <= 0)
     return {};
   return Shadows{m_theme.shadow, mix(m_theme.shadow, m_theme.backgroundBottom, faceShadowPaleness)};
 }

@@ -3,6 +3,7 @@
 
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/arrival.h"
+#include "widgets/picture/shown_parts.h"
 #include "widgets/picture/stage.h"
 
 #include <optional>
@@ -47,12 +48,15 @@ struct DropLine {
 struct SceneContent {
   Stage stage;
   Figure figure;
+  ShownParts shown;                  ///< what is drawn of all that there is
   bool hasShadows = true;            ///< on the ground, where there is one
   std::set<std::string> highlighted; ///< mark ids that stand out
   Arrival arrival;                   ///< marks that fade in
   std::optional<Gizmo> gizmo;
   std::vector<Knob> knobs;
   std::optional<DropLine> dropLine;
+
+  [[nodiscard]] bool showsAxes() const { return stage.hasAxes() && shown.axes; }
 };
 
 } // namespace halfspace

@@ -152,8 +152,18 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const V
 /// A mark without a letter may have a number alone beside it.
 bool isLabelled(const Mark &mark) { return !baseOf(mark).label.empty() || !baseOf(mark).numbers.empty(); }
 
+/// What is written beside a mark: its letter, with what is known of it.
+std::string textOf(const Mark &mark, const ShownParts &shown) {
+  const MarkBase &base = baseOf(mark);
+  const auto *point = std::get_if<PointMark>(&mark);
+  const bool hasCoordinates = shown.coordinates && point && !base.label.empty();
+  return base.label + (hasCoordinates ? point->coordinates : "") + base.numbers;
+}
+
 /// The numbers of the marks whose labels are written.
 std::vector<std::size_t> labelledMarks(const SceneContent &content) {
+  if (!content.shown.labels)
+    return {};
   const auto standsOut = [&](std::size_t mark) {
     return content.highlighted.contains(baseOf(content.figure.marks[mark]).id);
   };
@@ -184,8 +194,9 @@ std::vector<LabelAnchor> axisNameAnchors(Place tip, const Theme &theme, const Vi
 /// Collects what labels should not cover, what is behind the eye left out.
 class Obstacles {
 public:
-  Obstacles(const Theme &theme, const View &view)
-      : m_theme(theme), m_view(view), m_scale(designScale(view.camera, view.size, view.pixelRatio)) {}
+  Obstacles(const ShownParts &shown, const Theme &theme, const View &view)
+      : m_shown(shown), m_theme(theme), m_view(view),
+        m_scale(designScale(view.camera, view.size, view.pixelRatio)) {}
 
   /// The radius is in design pixels.
   void addDisc(Place at, double radius, LabelOwner owner = nobody) {
@@ -198,7 +209,7 @@ public:
     if (outline.path.empty())
       return;
     const auto *arrow = std::get_if<ArrowMark>(&mark);
-    const LabelOwner owner = isLabelled(mark) ? number : nobody;
+    const LabelOwner owner = m_shown.labels && isLabelled(mark) ? number : nobody;
     switch (outline.kind) {
     case MarkOutline::Kind::Point:
       addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * m_theme.lineScale, owner);
@@ -257,6 +268,7 @@ private:
     addDisc(tip, tipRadius * m_theme.lineScale);
   }
 
+  const ShownParts &m_shown;
   const Theme &m_theme;
   const View &m_view;
   double m_scale;
@@ -288,12 +300,12 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     const Mark &mark = content.figure.marks[number];
     const MarkBase &base = baseOf(mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
-    texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
+    texts.push_back({base.id, textOf(mark, content.shown), style(ink, markTextSize),
                      anchorsOf(mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
                      true, content.arrival.presenceOf(base), number});
   }
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  if (content.dropLine && content.stage.hasAxes())
+  if (content.dropLine && content.showsAxes())
     for (const int axis : {0, 1}) {
       const double coordinate = content.dropLine->from[axis];
       const AxisLabel label = axisNumber(axis, coordinate, view.camera, content.stage.exponent, scale);
@@ -315,7 +327,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
 
 LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                            const Theme &theme, const View &view) {
-  Obstacles obstacles(theme, view);
+  Obstacles obstacles(content.shown, theme, view);
   for (std::size_t number = 0; number < content.figure.marks.size(); ++number)
     if (const Mark &mark = content.figure.marks[number]; !baseOf(mark).passes)
       obstacles.addMark(mark, number);

@@ -29,7 +29,7 @@ inline constexpr double tickTextSize = 15;
 inline constexpr std::size_t mostMarkLabels = 150;
 
 /// The labels of a content: marks (those that stand out first, then in the figure's order, mostMarkLabels at
-/// most), the gizmo's note, the drop line's numbers, and those of the axes.
+/// most; none where they are switched off), the gizmo's note, the drop line's numbers, and those of the axes.
 [[nodiscard]] std::vector<LabelText> labelTexts(const SceneContent &content,
                                                 const std::vector<AxisLabel> &axes, const Theme &theme,
                                                 const View &view);

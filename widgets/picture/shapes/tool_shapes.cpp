@@ -140,7 +140,7 @@ void addDropLine(std::vector<Shape> &shapes, const DropLine &line, bool toAxes, 
 std::vector<Shape> toolsOf(const SceneContent &content, const Theme &theme, const View &view) {
   std::vector<Shape> shapes;
   if (content.dropLine)
-    addDropLine(shapes, *content.dropLine, content.stage.hasAxes(), theme, view);
+    addDropLine(shapes, *content.dropLine, content.showsAxes(), theme, view);
   for (const Knob &knob : content.knobs)
     addKnob(shapes, knob, knobHue(knob, content.figure), theme, view);
   if (content.gizmo)
