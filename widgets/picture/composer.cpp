@@ -1,6 +1,7 @@
 #include "widgets/picture/composer.h"
 
 #include "widgets/picture/design_scale.h"
+#include "widgets/picture/hand/label_hand.h"
 #include "widgets/picture/hand/mark_picker.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/mark_outline.h"
@@ -27,10 +28,6 @@ std::vector<Place> outlinesOf(const Figure &figure, double scale) {
     places.insert(places.end(), outline.path.begin(), outline.path.end());
   }
   return places;
-}
-
-bool isIn(const PixelBox &box, glm::dvec2 pixel) {
-  return pixel.x >= box.low.x && pixel.y >= box.low.y && pixel.x < box.high.x && pixel.y < box.high.y;
 }
 
 } // namespace
@@ -99,11 +96,8 @@ const ShapeList &Composer::compose() {
 }
 
 std::string Composer::markAt(glm::dvec2 pixel) const {
-  for (const Shape &shape : *m_list.layer(Layer::Labels)) {
-    const auto *label = std::get_if<LabelShape>(&shape.form);
-    if (label && !shape.mark.empty() && isIn(label->box, pixel))
-      return shape.mark;
-  }
+  if (const Shape *label = labelUnder(pixel, m_list))
+    return label->mark;
   return markUnder(pixel, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio);
 }
 

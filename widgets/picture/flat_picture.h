@@ -23,7 +23,8 @@ public:
   [[nodiscard]] const FlatFrame &frame() const { return m_frame; }
   [[nodiscard]] const Stage &stage() const { return m_stage; }
   [[nodiscard]] const Figure &figure() const { return *m_figure; }
-  /// What is seen of it from a fitted view.
+  /// What is seen of it from a fitted view. Its labels find places of their own: where somebody has put them
+  /// is meant for the picture in space.
   [[nodiscard]] SceneContent seenFrom(const View &view) const;
   /// The id of the mark at a pixel of a view; empty for none.
   [[nodiscard]] std::string markAt(glm::dvec2 pixel, const View &view) const;

@@ -13,6 +13,7 @@ SceneContent contentOf(const Lesson *lesson, const LessonStep *step, const Evalu
                        const Stage &stage) {
   SceneContent content;
   content.stage = stage;
+  content.labels = evaluation.scene.labels;
   content.hasShadows = !lesson || lesson->hasShadows;
   content.figure = toStage(figureShown(step, evaluation), stage);
   return content;

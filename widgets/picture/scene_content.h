@@ -49,6 +49,7 @@ struct SceneContent {
   Stage stage;
   Figure figure;
   ShownParts shown;                  ///< what is drawn of all that there is
+  LabelsByHand labels;               ///< where the figure's labels stand that somebody has moved
   bool hasShadows = true;            ///< on the ground, where there is one
   std::set<std::string> highlighted; ///< mark ids that stand out
   Arrival arrival;                   ///< marks that fade in

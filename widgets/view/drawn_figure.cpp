@@ -77,6 +77,7 @@ SceneContent DrawnFigure::pictureContent() const {
   SceneContent content;
   content.stage = m_stage;
   content.figure = m_figure;
+  content.labels = m_model.session().scene.labels;
   content.hasShadows = m_model.lesson().hasShadows;
   if (m_areNumbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));

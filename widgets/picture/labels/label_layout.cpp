@@ -354,6 +354,10 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
     for (const std::vector<std::size_t> &row : rows)
       pinRow(row, requests, options, placed);
   };
+  // All others keep clear of what somebody has put somewhere.
+  for (std::size_t label = 0; label < requests.size(); ++label)
+    if (requests[label].stand == LabelStand::ByHand && !options[label].candidates().empty())
+      placed[label] = options[label].candidates().front();
   // What is pinned cannot move away, so the others do; where they cannot, it is left out.
   pin();
   placeBeside(requests, options, placed);
@@ -375,7 +379,8 @@ std::vector<PlacedLabel> LabelLayout::taken(const std::vector<LabelRequest> &req
     if (!placed[label])
       continue;
     const LabelCandidate &chosen = *placed[label];
-    m_choices[requests[label].id] = chosen.choice;
+    if (requests[label].stand != LabelStand::ByHand) // put back, it begins anew
+      m_choices[requests[label].id] = chosen.choice;
     result.push_back({requests[label].id, chosen.box.low, chosen.box.extent(),
                       requests[label].anchors[chosen.choice.anchor].pixel, chosen.choice.needsLeader()});
   }

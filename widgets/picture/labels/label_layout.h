@@ -23,7 +23,8 @@ struct PlacedLabel {
 /// upon it there, and goes back beside its anchor when it can.
 class LabelLayout {
 public:
-  /// Labels without an anchor on the screen are left out, and pinned and passing ones without room. Sizes and
+  /// Labels without an anchor on the screen are left out, and pinned and passing ones without room. One that
+  /// somebody has put beside the screen is left out, too; one on its edge is moved inside. Sizes and
   /// distances are multiplied by the pixel ratio.
   [[nodiscard]] std::vector<PlacedLabel> place(const std::vector<LabelRequest> &requests,
                                                const LabelObstacles &obstacles, PixelSize size,

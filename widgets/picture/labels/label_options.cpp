@@ -170,7 +170,9 @@ PixelBox LabelOptions::roomAround(const PixelBox &box) const {
 
 const std::vector<LabelCandidate> &LabelOptions::candidates() const {
   if (!m_candidates)
-    m_candidates = m_request.stand == LabelStand::Pinned ? pinned() : beside();
+    m_candidates = m_request.stand == LabelStand::Pinned   ? pinned()
+                   : m_request.stand == LabelStand::ByHand ? byHand()
+                                                           : beside();
   return *m_candidates;
 }
 
@@ -211,6 +213,18 @@ std::vector<LabelCandidate> LabelOptions::pinned() const {
     return {{{a, 0, 0}, inside, 0, anchor.pixel, anchor.clearance, roomAround(inside)}};
   }
   return {};
+}
+
+std::vector<LabelCandidate> LabelOptions::byHand() const {
+  const LabelAnchor &anchor = m_request.anchors.front();
+  const glm::dvec2 low = anchor.pixel + m_request.offset - m_request.extent / 2.0;
+  const PixelBox wanted{low, low + m_request.extent};
+  if (overlapArea(wanted, {{0, 0}, {m_screen.size.width, m_screen.size.height}}) <= 0)
+    return {};
+  const PixelBox box = movedInside(wanted, m_screen.size);
+  const double way = distanceTo(box, anchor.pixel) - anchor.clearance;
+  const bool isFar = way > distances[firstWithLeader] * m_screen.pixelRatio;
+  return {{{0, 0, isFar ? firstWithLeader : 0}, box, 0, anchor.pixel, anchor.clearance, roomAround(box)}};
 }
 
 std::vector<LabelCandidate> LabelOptions::beside() const {

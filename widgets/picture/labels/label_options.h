@@ -23,9 +23,10 @@ struct LabelAnchor {
 
 /// How a label stands.
 enum class LabelStand {
-  Beside, ///< where it is clear of everything, as near to an anchor as can be
-  Pinned, ///< centred on its first anchor, or nowhere: where something is already there, it is left out
-  Passing ///< beside an anchor, but soon gone: those beside stay where they are; or nowhere
+  Beside,  ///< where it is clear of everything, as near to an anchor as can be
+  Pinned,  ///< centred on its first anchor, or nowhere: where something is already there, it is left out
+  Passing, ///< beside an anchor, but soon gone: those beside stay where they are; or nowhere
+  ByHand   ///< where somebody has put it, whatever is there
 };
 
 /// The place of a pinned label among those of its row, as the numbers at an axis are. Rows are counted from
@@ -43,6 +44,7 @@ struct LabelRequest {
   LabelStand stand = LabelStand::Beside;
   LabelOwner owner = nobody;
   LabelRow row{};
+  glm::dvec2 offset{}; ///< by hand: from its one anchor to its middle
 };
 
 /// What labels should not cover.
@@ -127,6 +129,7 @@ private:
   /// What an anchor costs because others on the screen are liked better.
   [[nodiscard]] double costOfAnchor(std::size_t anchor) const;
   [[nodiscard]] std::vector<LabelCandidate> pinned() const;
+  [[nodiscard]] std::vector<LabelCandidate> byHand() const;
   [[nodiscard]] std::vector<LabelCandidate> beside() const;
   [[nodiscard]] PixelBox roomAround(const PixelBox &box) const;
   /// Whether a label at a place could be taken for that of something that has an owner.

@@ -10,6 +10,30 @@ namespace {
 /// Nothing that is to be read is drawn larger.
 constexpr int largestLabelSide = 4096;
 
+/// From an anchor to the middle of a label that is so large.
+glm::dvec2 offsetOf(const LabelSpot &spot, double em, glm::dvec2 extent) {
+  const glm::dvec2 toMiddle(extent.x / 2, 0);
+  switch (spot.side) {
+  case LabelSpot::Side::Left:
+    return spot.offset * em + toMiddle;
+  case LabelSpot::Side::Right:
+    return spot.offset * em - toMiddle;
+  case LabelSpot::Side::Middle:
+    break;
+  }
+  return spot.offset * em;
+}
+
+LabelRequest requestFor(const LabelText &text, glm::dvec2 extent) {
+  LabelRequest request{text.id, extent, text.anchors, text.stand, text.owner, text.row};
+  if (text.spot && text.own) {
+    request.anchors = {*text.own};
+    request.stand = LabelStand::ByHand;
+    request.offset = offsetOf(*text.spot, text.style.pixelSize, extent);
+  }
+  return request;
+}
+
 } // namespace
 
 LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style) {
@@ -32,7 +56,7 @@ std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
     if (formula->glyphs.empty() && formula->rules.empty())
       continue;
     const LabelRoom room = roomOf(*formula, text.style);
-    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.stand, text.owner, text.row});
+    requests.push_back(requestFor(text, {room.width, room.height}));
     byId.insert_or_assign(text.id, LabelOnPage{text, std::move(formula), {}});
   }
   std::vector<LabelOnPage> page;
@@ -60,9 +84,9 @@ std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leader
       shapes.push_back({markOf(label), leaders, LeaderShape{leader->from, leader->to, width}});
   for (const LabelOnPage &label : labels) {
     const PixelBox box{label.place.topLeft, label.place.topLeft + label.place.extent};
-    shapes.push_back(
-        {markOf(label), label.text.style.ink,
-         LabelShape{label.text.latex, label.formula, label.text.style, box, label.text.opacity}});
+    shapes.push_back({markOf(label), label.text.style.ink,
+                      LabelShape{label.text.latex, label.formula, label.text.style, box, label.text.opacity,
+                                 label.text.own ? std::optional(label.text.own->pixel) : std::nullopt}});
   }
   return shapes;
 }

@@ -2,6 +2,7 @@
 
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/number_text.h"
+#include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/picture/shapes/mark_shapes.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace halfspace {
@@ -105,6 +107,38 @@ double clearanceOf(const PointMark &point) { return ballRadius(point) * designHe
 
 Place middleOf(const std::vector<Place> &places) {
   return std::accumulate(places.begin(), places.end(), Place(0)) / static_cast<double>(places.size());
+}
+
+/// How far the middle of a face is from its border; 0 where it lies outside.
+double roomAround(glm::dvec2 middle, const std::vector<glm::dvec2> &corners) {
+  if (!isInside(middle, corners))
+    return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    nearest = std::min(nearest, distanceToSegment(middle, corners[i], corners[(i + 1) % corners.size()]));
+  return nearest;
+}
+
+/// The middle of a face, which covers what is around it; nothing where some of it is behind the eye.
+std::optional<LabelAnchor> middleAnchor(const std::vector<Place> &corners, const View &view) {
+  const auto middle = view.camera.project(middleOf(corners), view.size);
+  const auto pixels = projectAll(view.camera, view.size, corners);
+  if (!middle || !pixels)
+    return {};
+  const std::vector<glm::dvec2> border(pixels->begin(), pixels->end());
+  const glm::dvec2 pixel(*middle);
+  return LabelAnchor{pixel, {0, 0}, roomAround(pixel, border)};
+}
+
+/// The one place of a mark that what somebody does to its label is measured from: of a face its middle, as
+/// the corner that is liked best is another from elsewhere; of all others where its label is liked best.
+std::optional<LabelAnchor> ownAnchorOf(const Mark &mark, const std::vector<LabelAnchor> &anchors,
+                                       const View &view) {
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  if (const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+      outline.kind == MarkOutline::Kind::Face && !outline.path.empty())
+    return middleAnchor(outline.path, view);
+  return anchors.empty() ? std::nullopt : std::optional(anchors.front());
 }
 
 std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const View &view) {
@@ -300,9 +334,16 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     const Mark &mark = content.figure.marks[number];
     const MarkBase &base = baseOf(mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
-    texts.push_back({base.id, textOf(mark, content.shown), style(ink, markTextSize),
-                     anchorsOf(mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
-                     true, content.arrival.presenceOf(base), number});
+    const auto byHand = content.labels.find(base.id);
+    LabelText text{base.id, textOf(mark, content.shown), style(ink, markTextSize),
+                   anchorsOf(mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside};
+    text.isMark = true;
+    text.owner = number;
+    text.opacity = content.arrival.presenceOf(base);
+    text.own = ownAnchorOf(mark, text.anchors, view);
+    if (byHand != content.labels.end() && text.own)
+      text.spot = byHand->second.spot;
+    texts.push_back(std::move(text));
   }
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   if (content.dropLine && content.showsAxes())

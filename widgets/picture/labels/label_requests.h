@@ -19,6 +19,8 @@ struct LabelText {
   double opacity = 1;
   LabelOwner owner = nobody;
   LabelRow row{};
+  std::optional<LabelAnchor> own{}; ///< of a mark's label: what its place by hand counts from
+  std::optional<LabelSpot> spot{};  ///< its place by hand
 };
 
 /// The height of type in design pixels.
@@ -29,7 +31,8 @@ inline constexpr double tickTextSize = 15;
 inline constexpr std::size_t mostMarkLabels = 150;
 
 /// The labels of a content: marks (those that stand out first, then in the figure's order, mostMarkLabels at
-/// most; none where they are switched off), the gizmo's note, the drop line's numbers, and those of the axes.
+/// most), the gizmo's note, the drop line's numbers, and those of the axes. Those of marks alone can be
+/// switched off (`ShownParts`), or stand where somebody has put them.
 [[nodiscard]] std::vector<LabelText> labelTexts(const SceneContent &content,
                                                 const std::vector<AxisLabel> &axes, const Theme &theme,
                                                 const View &view);

@@ -99,6 +99,7 @@ struct LabelShape {
   LabelStyle style;
   PixelBox box; ///< its room (see roomOf), in whole pixels
   double opacity = 1;
+  std::optional<glm::dvec2> anchor{}; ///< the pixel that its place by hand counts from; only a mark's has one
   bool operator==(const LabelShape &) const = default;
 };
 
