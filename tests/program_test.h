@@ -50,6 +50,12 @@ protected:
             contentOf(inFolder(".err"))};
   }
 
+  /// Whether programs are installed; their names stand side by side.
+  [[nodiscard]] bool has(const std::string &programs) const {
+    return shell("for each in " + programs + "; do command -v $each || exit 1; done >.out 2>.err").status ==
+           0;
+  }
+
 private:
   std::filesystem::path m_folder;
 };

@@ -70,9 +70,7 @@ FigureSubject subjectOf(const Lesson &lesson, const LessonStep *step) {
 
 class StepFigures : public ProgramTest {
 protected:
-  [[nodiscard]] bool canBeLookedAt() const {
-    return shell("command -v rsvg-convert pdftoppm qpdf >.out 2>.err").status == 0;
-  }
+  [[nodiscard]] bool canBeLookedAt() const { return has("rsvg-convert pdftoppm qpdf"); }
   void make(const std::string &name, const std::string &ending, const FigureSubject &subject,
             const FigureChoices &choices) const {
     const auto figure = maker().file(subject, choices);

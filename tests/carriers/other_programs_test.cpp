@@ -12,9 +12,6 @@ struct Rewriting {
 
 class OtherPrograms : public ProgramTest {
 protected:
-  [[nodiscard]] bool has(const std::string &program) const {
-    return shell("command -v " + program + " >.out 2>.err").status == 0;
-  }
   /// Each program that is installed writes a picture with a session anew, and the session is taken out of
   /// that.
   void expectKept(const Carrier &carrier, const std::vector<Rewriting> &rewritings) const {

@@ -18,7 +18,7 @@ class PdfLatex : public ProgramTest {
 protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    if (shell("command -v pdflatex >.out 2>.err").status != 0)
+    if (!has("pdflatex"))
       GTEST_SKIP() << "pdflatex is not installed";
   }
 
