@@ -33,9 +33,6 @@ double likeness(const QImage &one, const QImage &other) {
 class VectorFigures : public Program {
 protected:
   [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
-  [[nodiscard]] bool has(const std::string &program) const {
-    return shell("command -v " + program + " >.out 2>.err").status == 0;
-  }
 };
 
 TEST_F(VectorFigures, AreAsWideAsAsked_AndTheSameBytesAgain) {
@@ -151,28 +148,6 @@ TEST_F(VectorFigures, MayHaveLettersForText) {
   EXPECT_NE(file("a.svg").find("<text"), std::string::npos);
   EXPECT_EQ(run("render signed-distance -o b.svg").status, 0);
   EXPECT_EQ(file("b.svg").find("<text"), std::string::npos);
-}
-
-TEST_F(VectorFigures, LookLikeThePictureOfPixels) {
-  if (!has("rsvg-convert") || !has("pdftoppm"))
-    GTEST_SKIP() << "rsvg-convert or pdftoppm is not installed";
-  for (const std::string lesson : {"signed-distance", "plane-plane", "ray-sphere", "ray-triangle-perp",
-                                   "photon-torpedo", "determinant"}) {
-    SCOPED_TRACE(lesson);
-    const std::string render = "render " + lesson + " --theme print ";
-    EXPECT_EQ(run(render + "-o pixels.png --size 1600x1000").status, 0);
-    // 22 design pixels of type among 1280: the same camera, and labels in the same places.
-    const std::string paper = "--width 320pt --text 5.5pt -o vectors.";
-    EXPECT_EQ(run(render + paper + "svg").status, 0);
-    EXPECT_EQ(run(render + paper + "pdf").status, 0);
-    EXPECT_EQ(shell("rsvg-convert -w 1600 -b white vectors.svg -o svg.png >.out 2>.err").status, 0);
-    EXPECT_EQ(shell("pdftoppm -singlefile -scale-to-x 1600 -scale-to-y -1 -png vectors.pdf pdf >.out 2>.err")
-                  .status,
-              0);
-    const QImage pixels = coarse(picture("pixels.png"));
-    EXPECT_GT(likeness(coarse(picture("svg.png")), pixels), 0.9);
-    EXPECT_GT(likeness(coarse(picture("pdf.png")), coarse(picture("svg.png"))), 0.99);
-  }
 }
 
 } // namespace

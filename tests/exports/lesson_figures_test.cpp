@@ -1,9 +1,9 @@
 // Every step of every lesson in every format; what other programs find in the files.
 #include "lessons/lesson/lesson_start.h"
 #include "lessons/scene/file/session_file.h"
+#include "tests/effort.h"
 #include "tests/exports/lesson_drawings.h"
 #include "tests/program_test.h"
-#include "tests/test_name.h"
 #include "widgets/carriers/found_session.h"
 #include "widgets/exports/format.h"
 #include "widgets/exports/pdf_writer.h"
@@ -14,35 +14,40 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <sstream>
 
 namespace halfspace {
 namespace {
 
-std::vector<std::string> lessonIds() {
-  std::vector<std::string> ids;
+/// A step of a lesson, as a figure.
+struct StepFigure {
+  std::string name;
+  const Lesson *lesson = nullptr;
+  const LessonStep *step = nullptr;
+};
+
+/// Those of all lessons; where each step is watched, some of them.
+std::vector<StepFigure> stepFigures() {
+  std::vector<StepFigure> figures;
   for (const Lesson &lesson : library().lessons)
-    ids.push_back(lesson.id);
-  return ids;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+      figures.push_back({lesson.id + "-" + std::to_string(i + 1), &lesson, &lesson.steps[i]});
+  return test::fewer(figures);
 }
 
-class LessonFigures : public ProgramTest, public testing::WithParamInterface<std::string> {
+class LessonFigures : public ProgramTest {
 protected:
-  /// Whether a program is installed.
-  [[nodiscard]] bool has(const std::string &program) const {
-    return shell("command -v " + program + " >.out 2>.err").status == 0;
-  }
   template <class Visit> void forEachStep(Visit visit) const {
-    const Lesson &lesson = *library().find(GetParam());
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-      SCOPED_TRACE(lesson.steps[i].title);
-      visit(drawingOfStep(lesson, lesson.steps[i]));
+    for (const StepFigure &figure : stepFigures()) {
+      SCOPED_TRACE(figure.name);
+      visit(figure.name, drawingOfStep(*figure.lesson, *figure.step));
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, LessonFigures, testing::ValuesIn(lessonIds()), test::testName);
 
-TEST_P(LessonFigures, InEveryFormat_AreTheSameBytesAgain_WithoutAPictureOfPixels) {
-  forEachStep([](const Drawing &drawing) {
+TEST_F(LessonFigures, InEveryFormat_AreTheSameBytesAgain_WithoutAPictureOfPixels) {
+  forEachStep([](const std::string &, const Drawing &drawing) {
     EXPECT_GT(drawing.parts.size(), 20U);
     for (const ExportFormat &format : exportFormats()) {
       const std::string file = format.write(drawing, math::fonts(), TextAs::Shapes);
@@ -54,8 +59,8 @@ TEST_P(LessonFigures, InEveryFormat_AreTheSameBytesAgain_WithoutAPictureOfPixels
   });
 }
 
-TEST_P(LessonFigures, HaveFiniteNumbersAlone) {
-  forEachStep([](const Drawing &drawing) {
+TEST_F(LessonFigures, HaveFiniteNumbersAlone) {
+  forEachStep([](const std::string &, const Drawing &drawing) {
     for (const DrawingPart &part : drawing.parts) {
       const auto *path = std::get_if<PathPart>(&part);
       if (!path)
@@ -69,66 +74,88 @@ TEST_P(LessonFigures, HaveFiniteNumbersAlone) {
   });
 }
 
-TEST_P(LessonFigures, AsSvg_AreWellFormed) {
+TEST_F(LessonFigures, AsSvg_AreWellFormed) {
   if (!has("xmllint"))
     GTEST_SKIP() << "xmllint is not installed";
-  forEachStep([&](const Drawing &drawing) {
-    for (const TextAs text : {TextAs::Shapes, TextAs::Letters}) {
-      write("figure.svg", svgOf(drawing, math::fonts(), text));
-      const Ran ran = shell("xmllint --noout figure.svg >.out 2>.err");
-      EXPECT_EQ(ran.status, 0) << ran.err;
-    }
+  forEachStep([&](const std::string &name, const Drawing &drawing) {
+    write(name + "-shapes.svg", svgOf(drawing, math::fonts(), TextAs::Shapes));
+    write(name + "-letters.svg", svgOf(drawing, math::fonts(), TextAs::Letters));
   });
+  const Ran ran = shell("xmllint --noout *.svg >.out 2>.err");
+  EXPECT_EQ(ran.status, 0) << ran.err;
 }
 
-TEST_P(LessonFigures, AsPdf_AreWithoutFault_AndTheirTextsAreThoseOfTheFormulas) {
-  if (!has("qpdf") || !has("pdftotext"))
+/// The formulas of a drawing, one behind the other, without spaces.
+std::string formulasOf(const Drawing &drawing) {
+  std::string formulas;
+  for (const DrawingPart &part : drawing.parts)
+    if (const auto *formula = std::get_if<FormulaPart>(&part))
+      formulas += formula->plain;
+  formulas.erase(std::remove(formulas.begin(), formulas.end(), ' '), formulas.end());
+  return formulas;
+}
+
+TEST_F(LessonFigures, AsPdf_AreWithoutFault_AndTheirTextsAreThoseOfTheFormulas) {
+  if (!has("qpdf pdftotext"))
     GTEST_SKIP() << "qpdf or pdftotext is not installed";
-  forEachStep([&](const Drawing &drawing) {
-    write("figure.pdf", pdfOf(drawing, math::fonts()));
-    const Ran checked = shell("qpdf --check figure.pdf >.out 2>.err");
-    EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-    // One formula after the other: where two stand in one row, both are in one line.
-    const Ran text = shell("pdftotext -raw figure.pdf - >.out 2>.err");
-    std::string found = text.out;
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [](unsigned char c) { return std::isspace(c) || c == '\f'; }),
-                found.end());
-    std::string expected;
-    for (const DrawingPart &part : drawing.parts)
-      if (const auto *formula = std::get_if<FormulaPart>(&part))
-        expected += formula->plain;
-    expected.erase(std::remove(expected.begin(), expected.end(), ' '), expected.end());
-    EXPECT_EQ(found, expected);
+  std::map<std::string, std::string> formulas; // in the order in which a shell names the files
+  forEachStep([&](const std::string &name, const Drawing &drawing) {
+    write(name + ".pdf", pdfOf(drawing, math::fonts()));
+    formulas[name + ".pdf"] = formulasOf(drawing);
   });
+  const Ran merged = shell("LC_ALL=C qpdf --empty --pages *.pdf -- merged >.out 2>.err");
+  EXPECT_EQ(merged.status, 0) << merged.err; // 3: it has repaired what it warns of
+  // One formula after the other: where two stand in one row, both are in one line.
+  std::string found = shell("pdftotext -raw merged - >.out 2>.err").out;
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [](unsigned char c) { return std::isspace(c) && c != '\f'; }),
+              found.end());
+  std::istringstream pages(found);
+  for (const auto &[name, expected] : formulas) {
+    std::string page;
+    std::getline(pages, page, '\f');
+    EXPECT_EQ(page, expected) << name;
+  }
 }
 
-TEST_P(LessonFigures, AsTikz_AreTakenByLatex) {
-  if (!has("pdflatex") || !has("kpsewhich") || shell("kpsewhich tikz.sty >.out 2>.err").status != 0)
+TEST_F(LessonFigures, AsTikz_AreTakenByLatex) {
+  if (!has("pdflatex kpsewhich") || shell("kpsewhich tikz.sty >.out 2>.err").status != 0)
     GTEST_SKIP() << "LaTeX with TikZ is not installed";
-  const Lesson &lesson = *library().find(GetParam());
-  write("figure.tex", tikzOf(drawingOfStep(lesson, lesson.steps.back())));
-  const Ran ran = shell("pdflatex -interaction=nonstopmode -halt-on-error figure.tex >.out 2>.err");
-  EXPECT_EQ(ran.status, 0) << ran.out.substr(ran.out.size() - std::min<std::size_t>(ran.out.size(), 2000));
+  std::string document = "\\documentclass{article}\n\\usepackage{fix-cm,amsmath,tikz}\n\\begin{document}\n";
+  // A second a figure: the last of each lesson, which shows most of it.
+  for (const Lesson &lesson : library().lessons) {
+    write(lesson.id + ".tex", tikzOf(drawingOfStep(lesson, lesson.steps.back())));
+    document += "\\input{" + lesson.id + "}\n\n";
+  }
+  write("all.tex", document + "\\end{document}\n");
+  // Each alone is a document too.
+  const std::string first = library().lessons.front().id;
+  for (const std::string &name : {std::string("all"), first}) {
+    const Ran ran = shell("pdflatex -interaction=nonstopmode -halt-on-error " + name + ".tex >.out 2>.err");
+    EXPECT_EQ(ran.status, 0) << ran.out.substr(ran.out.size() - std::min<std::size_t>(ran.out.size(), 2000));
+  }
 }
 
-TEST_P(LessonFigures, WithTheirCode_AreReadAsOtherProgramsDrawThem) {
-  if (!has("rsvg-convert") || !has("pdftoppm"))
+TEST_F(LessonFigures, WithTheirCode_AreReadAsOtherProgramsDrawThem) {
+  if (!has("rsvg-convert pdftoppm"))
     GTEST_SKIP() << "rsvg-convert or pdftoppm is not installed";
-  const Lesson &lesson = *library().find(GetParam());
-  const std::string session = writeSession(startOf(lesson));
-  const Drawing drawing = withQrCode(drawingOfStep(lesson, lesson.steps.back()), *qrCodeOf(session));
-  write("figure.svg", svgOf(drawing, math::fonts()));
-  write("figure.pdf", pdfOf(drawing, math::fonts()));
-  for (const char *program : {"rsvg-convert --zoom 2 figure.svg -o figure.png",
-                              "pdftoppm -r 200 -png -singlefile figure.pdf figure"}) {
-    SCOPED_TRACE(program);
-    std::filesystem::remove(inFolder("figure.png"));
-    const Ran ran = shell(std::string(program) + " >.out 2>.err");
-    EXPECT_EQ(ran.status, 0) << ran.err;
-    const auto found = findSession(inFolder("figure.png"));
-    ASSERT_TRUE(found) << found.problem().sentence;
-    EXPECT_EQ(found->text, session);
+  constexpr std::size_t oneIn = 5; // a second a figure
+  for (std::size_t i = 0; i < library().lessons.size(); i += oneIn) {
+    const Lesson &lesson = library().lessons[i];
+    const std::string session = writeSession(startOf(lesson));
+    const Drawing drawing = withQrCode(drawingOfStep(lesson, lesson.steps.back()), *qrCodeOf(session));
+    write("figure.svg", svgOf(drawing, math::fonts()));
+    write("figure.pdf", pdfOf(drawing, math::fonts()));
+    for (const char *program : {"rsvg-convert --zoom 2 figure.svg -o figure.png",
+                                "pdftoppm -r 200 -png -singlefile figure.pdf figure"}) {
+      SCOPED_TRACE(lesson.id + ": " + program);
+      std::filesystem::remove(inFolder("figure.png"));
+      const Ran ran = shell(std::string(program) + " >.out 2>.err");
+      EXPECT_EQ(ran.status, 0) << ran.err;
+      const auto found = findSession(inFolder("figure.png"));
+      ASSERT_TRUE(found) << found.problem().sentence;
+      EXPECT_EQ(found->text, session);
+    }
   }
 }
 
