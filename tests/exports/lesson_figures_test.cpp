@@ -15,6 +15,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace halfspace {
@@ -72,6 +73,31 @@ TEST_F(LessonFigures, HaveFiniteNumbersAlone) {
       EXPECT_TRUE(std::isfinite(pen.width) && std::isfinite(pen.dashStart)) << path->mark;
     }
   });
+}
+
+/// The marks that a list of shapes is of.
+std::set<std::string> marksOf(const ShapeList &shapes) {
+  std::set<std::string> marks;
+  for (const ShapeLayer &layer : shapes.layers)
+    for (const Shape &shape : *layer)
+      marks.insert(shape.mark);
+  marks.erase(""); // axes and the ground
+  return marks;
+}
+
+TEST_F(LessonFigures, HaveAPartForEachMarkOfTheirPicture) {
+  for (const StepFigure &figure : stepFigures()) {
+    SCOPED_TRACE(figure.name);
+    const PaperLook look;
+    const Theme &theme = *findTheme("print");
+    const ShapeList shapes =
+        shapesOfStep(*figure.lesson, figure.step, viewOnPaper({1600, 1000}, look.width, 9, theme), theme);
+    std::set<std::string> drawn;
+    for (const DrawingPart &part : drawingOf(shapes, look).parts)
+      drawn.insert(std::visit([](const auto &one) { return one.mark; }, part));
+    for (const std::string &mark : marksOf(shapes))
+      EXPECT_TRUE(drawn.contains(mark)) << mark;
+  }
 }
 
 TEST_F(LessonFigures, AsSvg_AreWellFormed) {
