@@ -1,8 +1,13 @@
-// Size, motion and menus of the window.
+// Size, motion and menus of the window, and that figures look as it does.
+#include "app/figures/figure_maker.h"
 #include "app/menus/help_dialog.h"
 #include "app/panels/panel_style.h"
 #include "tests/app/window_fixture.h"
+#include "tests/likeness.h"
 #include "widgets/lesson/lesson_page.h"
+#include "widgets/picture/labels/label_requests.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
 
 #include <QAction>
 #include <QApplication>
@@ -35,6 +40,19 @@ void waitForRest(QSignalSpy &drawn) {
     before = drawn.count();
     QTest::qWait(400);
   }
+}
+
+/// A figure of as many pixels as the scene has on the screen, with type of the same size.
+FigureChoices asOnTheScreen(WindowFixture &fixture) {
+  FigureChoices choices;
+  choices.size = fixture.scene().screen().size();
+  choices.theme = fixture.window.look().theme();
+  // As if a pixel were a point.
+  constexpr double pixelsPerInch = 72;
+  choices.paper = PaperSize{static_cast<double>(choices.size.width),
+                            fixture.scene().screen().designRatio() * markTextSize * choices.theme.textScale,
+                            pixelsPerInch};
+  return choices;
 }
 
 } // namespace
@@ -182,6 +200,32 @@ private slots:
       }
       fixture.model().openLesson("plane-implicit");
       QTRY_VERIFY(!action(fixture.window, way).isEnabled());
+    }
+  }
+
+  void figureOfPixels_asLargeAsTheScreen_showsTheSame() {
+    const Typesetter typesetter;
+    FigureMaker maker(typesetter);
+    for (const char *lesson : {"signed-distance", "ray-triangle-perp", "ray-sphere"}) {
+      LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
+      Session session = startOf(*library.find(lesson));
+      session.step = 2; // from the beginning: labels stay where they stood in a step before
+      WindowFixture fixture(std::move(session), std::move(library));
+      QVERIFY(fixture.ready);
+      QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
+      waitForRest(drawn);
+      FigureSubject subject;
+      subject.content = fixture.scene().drawn().pictureContent();
+      subject.content.knobs = fixture.scene().handles().knobs(); // these are on the screen alone
+      subject.camera = fixture.scene().viewpoint().camera();
+      const auto figure = maker.picture(subject, asOnTheScreen(fixture));
+      QVERIFY(figure);
+      const RgbaImage screen = fromImage(fixture.scene().grabFramebuffer());
+      QCOMPARE(screen.width, figure->width);
+      QCOMPARE(screen.height, figure->height);
+      // But for labels: on the screen they make room for what lies over a corner of the picture.
+      const test::Patch patch = test::largestDifference(screen, *figure, {test::Compared::Hues, 1, 20});
+      QVERIFY2(patch.area < 20, qPrintable(QString(lesson) + ": " + patch.text().c_str()));
     }
   }
 
