@@ -64,9 +64,12 @@ public:
     const glm::dvec2 high =
         part.start + glm::dvec2(part.formula->width, part.formula->depth) * part.size + glm::dvec2(reach);
     const std::string size = pageNumber(part.size * texPoints);
-    return "\\fill[" + nameOf(part.halo) + ",opacity=" + pageNumber(haloOpacity * part.opacity) +
+    // Named in an order of ours: compilers choose their own among the parts of a sum.
+    const std::string halo = nameOf(part.halo);
+    const std::string ink = nameOf(part.ink);
+    return "\\fill[" + halo + ",opacity=" + pageNumber(haloOpacity * part.opacity) +
            ",rounded corners=" + length(reach) + "]" + coordinates(low) + "rectangle" + coordinates(high) +
-           ";\n" + "\\node[anchor=base west,inner sep=0pt,text=" + nameOf(part.ink) +
+           ";\n" + "\\node[anchor=base west,inner sep=0pt,text=" + ink +
            opacityOption("text opacity", part.opacity) + ",font=\\fontsize{" + size + "}{" + size +
            "}\\selectfont] at " + coordinates(part.start) + " {$" + part.latex + "$};\n";
   }
