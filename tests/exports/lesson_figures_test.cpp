@@ -185,6 +185,24 @@ TEST_F(LessonFigures, WithTheirCode_AreReadAsOtherProgramsDrawThem) {
   }
 }
 
+using TikzLabel = ProgramTest;
+
+TEST_F(TikzLabel, OnItsHalo_IsInThePdfOnce_WithTheColonAtItsLetter) {
+  const std::string tools = "command -v pdflatex && command -v pdftotext && kpsewhich tikz.sty";
+  if (shell("{ " + tools + "; } >.out 2>.err").status != 0)
+    GTEST_SKIP() << "LaTeX with TikZ or pdftotext is not installed";
+  FormulaPart label;
+  label.latex = "E\\colon\\ {x = 14}";
+  label.formula = vectorsOnly()(label.latex);
+  label.start = {20, 20};
+  label.size = 9;
+  label.opacity = 0.5;
+  write("figure.tex", tikzOf({{120, 40}, {}, {label}}));
+  const Ran ran = shell("pdflatex -interaction=nonstopmode -halt-on-error figure.tex >.out 2>.err");
+  ASSERT_EQ(ran.status, 0) << ran.out;
+  EXPECT_EQ(shell("pdftotext figure.pdf - >.out 2>.err").out.substr(0, 10), "E: x = 14\n");
+}
+
 TEST(FormatOfFile, GoesByTheEnding_WhateverItsCase) {
   EXPECT_EQ(formatOfFile("x.svg")->name, "SVG");
   EXPECT_EQ(formatOfFile("a/x.PDF")->name, "PDF");

@@ -10,9 +10,19 @@ namespace {
 
 /// TeX's points in one of ours.
 constexpr double texPoints = 72.27 / 72;
-/// The halo of a formula: how much is left of what it lies over, and how far it reaches, in em.
-constexpr double haloOpacity = 0.75;
-constexpr double haloReach = 0.06;
+/// What a picture begins with. The colon is that of plain TeX, as formulas are laid out here: amsmath's has
+/// other spaces. A label (at, in an ink, on a halo, in a size, with a halo so many points thick, of a
+/// formula) is its formula twice: first with thick outlines, which are to have no text, and then itself.
+/// Where PDF is not what is written it has a pale box instead.
+constexpr const char *pictureStart = R"(\mathchardef\colon="603A
+\def\halfspacenode#1#2#3#4#5{\node[anchor=base west,inner sep=0pt,text=#2,font=\fontsize{#3}{#3}\selectfont,#4] at #1 {#5};}
+\def\halfspacelabel#1#2#3#4#5#6{\halfspacenode{#1}{#2}{#4}{fill=#3,fill opacity=0.75,text opacity=1}{#6}}
+\def\halfspacepdf#1#2#3#4#5#6{%
+{\csname pgfsys@invoke\endcsname{/Span<</ActualText<FEFF>>>BDC q 1 j 2 Tr #5 w}\halfspacenode{#1}{#3}{#4}{}{#6}%
+\csname pgfsys@invoke\endcsname{Q EMC}}\halfspacenode{#1}{#2}{#4}{}{#6}}
+\def\halfspacedriver{pgfsys-pdftex.def}\ifx\pgfsysdriver\halfspacedriver\let\halfspacelabel\halfspacepdf\fi
+\def\halfspacedriver{pgfsys-luatex.def}\ifx\pgfsysdriver\halfspacedriver\let\halfspacelabel\halfspacepdf\fi
+)";
 
 /// What comments and titles must not hold: a line's end would end them.
 std::string inOneLine(std::string text) {
@@ -59,19 +69,15 @@ public:
   }
 
   std::string write(const FormulaPart &part) {
-    const double reach = haloReach * part.size;
-    const glm::dvec2 low = part.start - glm::dvec2(reach, part.formula->ascent * part.size + reach);
-    const glm::dvec2 high =
-        part.start + glm::dvec2(part.formula->width, part.formula->depth) * part.size + glm::dvec2(reach);
-    const std::string size = pageNumber(part.size * texPoints);
     // Named in an order of ours: compilers choose their own among the parts of a sum.
     const std::string halo = nameOf(part.halo);
     const std::string ink = nameOf(part.ink);
-    return "\\fill[" + halo + ",opacity=" + pageNumber(haloOpacity * part.opacity) +
-           ",rounded corners=" + length(reach) + "]" + coordinates(low) + "rectangle" + coordinates(high) +
-           ";\n" + "\\node[anchor=base west,inner sep=0pt,text=" + ink +
-           opacityOption("text opacity", part.opacity) + ",font=\\fontsize{" + size + "}{" + size +
-           "}\\selectfont] at " + coordinates(part.start) + " {$" + part.latex + "$};\n";
+    const std::string label = "\\halfspacelabel{" + coordinates(part.start) + "}{" + ink + "}{" + halo +
+                              "}{" + pageNumber(part.size * texPoints) + "}{" +
+                              pageNumber(2 * haloWidth * part.size) + "}{$" + part.latex + "$}\n";
+    if (part.opacity >= 1)
+      return label;
+    return "\\begin{scope}[opacity=" + pageNumber(part.opacity) + "]\n" + label + "\\end{scope}\n";
   }
 
   /// The colours that were used, by their names.
@@ -139,8 +145,8 @@ std::string tikzOf(const Drawing &drawing) {
          "\\pagestyle{empty}\\parindent=0pt\\topskip=0pt\n"
          "\\begin{document}\\def\\halfspaceend{\\end{document}}\n"
          "\\fi\n" +
-         "\\begin{tikzpicture}[x=1bp,y=-1bp,line join=round]\n" + writer.definitions() + "\\path[clip]" +
-         page + ";\n" + body + "\\end{tikzpicture}%\n\\halfspaceend\n";
+         "\\begin{tikzpicture}[x=1bp,y=-1bp,line join=round]\n" + pictureStart + writer.definitions() +
+         "\\path[clip]" + page + ";\n" + body + "\\end{tikzpicture}%\n\\halfspaceend\n";
 }
 
 } // namespace halfspace
