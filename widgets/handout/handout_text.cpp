@@ -29,9 +29,9 @@ constexpr const char *openBox = "□";
 constexpr const char *rightBox = "✓";
 
 /// A paragraph that begins with bold words.
-ParagraphBlock labelled(const std::string &label, InlineText text, TextSize size = TextSize::Normal) {
+ParagraphBlock labelled(const std::string &label, InlineText text) {
   text.insert(text.begin(), StyledWords{label + " ", {.strong = true}});
-  return {std::move(text), size};
+  return {std::move(text)};
 }
 
 /// Whether a paragraph leads to what comes next.
@@ -51,6 +51,7 @@ public:
       : m_request(request), m_look(look),
         m_theme(*findTheme("print")), m_setting{fonts, request.lesson.macros,
                                                 [this](const std::string &mark) { return inkOf(mark); }} {}
+
   HandoutText make() {
     const Lesson &lesson = m_request.lesson;
     HandoutText handout;
@@ -112,6 +113,11 @@ private:
     return oneParagraph(filled(text), m_setting);
   }
 
+  /// Of a question, whose words hold whatever the scene is.
+  [[nodiscard]] InlineText sentenceAsWritten(const MarkdownText &text) const {
+    return oneParagraph(withNames(text.markdown()), m_setting);
+  }
+
   void add(const StepWords &words, HandoutBlocks &blocks) {
     append(blocks, handoutBlocks(filled(words.text), m_setting));
   }
@@ -148,16 +154,16 @@ private:
 
   void add(const Prediction &prediction, HandoutBlocks &blocks) {
     const std::string label = words("Question {number}.", {{"number", std::to_string(++m_counts.questions)}});
-    blocks.push_back({labelled(label, sentence(prediction.question)), true});
+    blocks.push_back({labelled(label, sentenceAsWritten(prediction.question)), true});
     const std::string right =
         m_request.hasAnswers ? rightChoice(prediction, m_request.evaluation) : std::string();
     ListBlock choices;
     for (const Prediction::Choice &choice : prediction.choices)
       choices.items.push_back({!right.empty() && choice.word == right ? rightBox : openBox,
-                               {{ParagraphBlock{sentence(choice.text)}}}});
+                               {{ParagraphBlock{sentenceAsWritten(choice.text)}}}});
     blocks.push_back({std::move(choices)});
     if (m_request.hasAnswers)
-      blocks.push_back({labelled(words("Answer:"), sentence(prediction.reason))});
+      blocks.push_back({labelled(words("Answer:"), sentenceAsWritten(prediction.reason))});
   }
 
   // What is there to be played with has nothing to be printed.
