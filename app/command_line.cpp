@@ -138,8 +138,8 @@ CLI::App *addReadMesh(CLI::App &app, ReadMeshCommand &command) {
 }
 
 CLI::App *addRender(CLI::App &app, Arguments &arguments) {
-  auto *render = app.add_subcommand(
-      "render", words("Draw the figure as a picture, of pixels or of vectors; needs no display"));
+  auto *render =
+      app.add_subcommand("render", words("Draw figures, of pixels or of vectors; needs no display"));
   RenderCommand &command = arguments.render;
   render
       ->add_option(

@@ -46,16 +46,6 @@ std::vector<std::string> subjectsOf(const RenderCommand &command, SubjectOpener 
   return ids;
 }
 
-/// A subject is opened twice: before anything is drawn, and when its turn comes.
-Result<PlannedSubject> planSubject(const std::string &subject, const RenderCommand &command,
-                                   const ValueRows *rows, SubjectOpener &opener) {
-  LessonLibrary library;
-  auto opened = opener.open(subject, library);
-  if (opened)
-    opened = withValues(std::move(*opened), command.assignments);
-  return opened ? plannedOf(subject, *opened, command, rows) : opened.problem();
-}
-
 /// Files that a figure must not be written over.
 std::vector<std::string> inputsOf(const RenderCommand &command, const std::vector<PlannedSubject> &subjects) {
   std::vector<std::string> files;
@@ -74,25 +64,40 @@ Problem named(Problem problem, const std::string &subject) {
   return problem;
 }
 
+/// Adds what is planned of a subject. Of one alone all that is asked for must be there. A subject is opened
+/// twice: before anything is drawn, and when its turn comes.
+std::optional<Problem> addSubject(const std::string &name, bool isAlone, const RenderCommand &command,
+                                  const ValueRows *rows, SubjectOpener &opener, RenderPlan &plan) {
+  LessonLibrary library;
+  auto opened = opener.open(name, library);
+  if (opened)
+    opened = withValues(std::move(*opened), command.assignments);
+  auto subject = opened ? plannedOf(name, *opened, command, rows) : opened.problem();
+  if (!subject)
+    return subject.problem();
+  auto lack = lackOfSteps(*opened, command);
+  if (!lack || !isAlone)
+    plan.subjects.push_back(std::move(*subject));
+  return lack;
+}
+
 Result<RenderPlan> planOf(const RenderCommand &command, const ValueRows *rows, SubjectOpener &opener) {
   RenderPlan plan;
   const auto names = subjectsOf(command, opener);
-  for (const std::string &name : names) {
-    auto subject = planSubject(name, command, rows, opener);
-    if (!subject && names.size() == 1)
-      return subject.problem();
-    if (subject)
-      plan.subjects.push_back(std::move(*subject));
-    else
-      plan.problems.push_back(named(subject.problem(), name));
-  }
+  const bool isAlone = names.size() == 1;
+  for (const std::string &name : names)
+    if (const auto problem = addSubject(name, isAlone, command, rows, opener, plan)) {
+      if (isAlone)
+        return *problem;
+      plan.problems.push_back(named(*problem, name));
+    }
   PlanRequest request{plan.subjects, rows, command.frames, {}, inputsOf(command, plan.subjects)};
   for (const FigureOutput &output : command.outputs)
     request.outputs.push_back(output.name);
   auto jobs = planFigures(request);
   if (!jobs)
     return jobs.problem();
-  plan.isBatch = names.size() > 1 || jobs->size() > 1;
+  plan.isBatch = !isAlone || jobs->size() > 1;
   plan.jobs = shardOf(std::move(*jobs), command.shard);
   return plan;
 }

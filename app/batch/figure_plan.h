@@ -23,7 +23,7 @@ struct FigureJob {
 struct PlannedSubject {
   std::string name;  ///< as it is asked for
   std::string label; ///< for {lesson}: the lesson's id, or the file without its folder and ending
-  std::vector<std::optional<int>> steps{std::nullopt}; ///< to show, as in FigureJob
+  std::vector<std::optional<int>> steps{std::nullopt}; ///< to show, as in FigureJob; at least one
 };
 
 struct PlanRequest {

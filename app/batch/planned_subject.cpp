@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -18,21 +17,25 @@ std::string labelOf(const std::string &subject, const OpenedSession &opened) {
   return isFile ? std::filesystem::path(subject).stem().string() : subject;
 }
 
-Result<std::vector<std::optional<int>>> stepsOf(const OpenedSession &opened, const RenderCommand &command) {
-  const int count = opened.lesson ? static_cast<int>(opened.lesson->steps.size()) : 0;
-  std::vector<int> steps = command.steps;
-  if (command.eachStep) {
-    steps.resize(static_cast<std::size_t>(count));
-    std::iota(steps.begin(), steps.end(), 1);
-  }
-  const bool asksForNone = steps.empty() && !command.eachStep;
-  const bool hasAll = std::all_of(steps.begin(), steps.end(), [count](int step) { return step <= count; });
-  if (!hasAll || (command.eachStep && count == 0))
-    return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(count)}}), "", 0,
-                   "--step"};
-  if (asksForNone)
-    return std::vector<std::optional<int>>{std::nullopt};
-  return std::vector<std::optional<int>>(steps.begin(), steps.end());
+int stepCountOf(const OpenedSession &opened) {
+  return opened.lesson ? static_cast<int>(opened.lesson->steps.size()) : 0;
+}
+
+Problem tooFewSteps(const OpenedSession &opened) {
+  return {words("The lesson has {count} steps.", {{"count", std::to_string(stepCountOf(opened))}}), "", 0,
+          "--step"};
+}
+
+/// The steps that are asked for and are there.
+std::vector<std::optional<int>> stepsOf(const OpenedSession &opened, const RenderCommand &command) {
+  if (!command.eachStep && command.steps.empty())
+    return {std::nullopt};
+  const int count = stepCountOf(opened);
+  std::vector<std::optional<int>> steps;
+  for (int step = 1; step <= count; ++step)
+    if (command.eachStep || std::count(command.steps.begin(), command.steps.end(), step) > 0)
+      steps.emplace_back(step);
+  return steps;
 }
 
 std::optional<Problem> refuseFrames(const OpenedSession &opened, const RenderCommand &command) {
@@ -64,13 +67,20 @@ std::optional<Problem> refuseColumns(const OpenedSession &opened, const RenderCo
 Result<PlannedSubject> plannedOf(const std::string &subject, const OpenedSession &opened,
                                  const RenderCommand &command, const ValueRows *rows) {
   auto steps = stepsOf(opened, command);
-  if (!steps)
-    return steps.problem();
+  if (steps.empty())
+    return tooFewSteps(opened);
   if (auto problem = refuseFrames(opened, command))
     return std::move(*problem);
   if (auto problem = rows ? refuseColumns(opened, command, *rows) : std::nullopt)
     return std::move(*problem);
-  return PlannedSubject{subject, labelOf(subject, opened), std::move(*steps)};
+  return PlannedSubject{subject, labelOf(subject, opened), std::move(steps)};
+}
+
+std::optional<Problem> lackOfSteps(const OpenedSession &opened, const RenderCommand &command) {
+  const int count = stepCountOf(opened);
+  const bool hasAll =
+      std::all_of(command.steps.begin(), command.steps.end(), [count](int step) { return step <= count; });
+  return hasAll ? std::nullopt : std::optional(tooFewSteps(opened));
 }
 
 } // namespace halfspace
