@@ -106,7 +106,7 @@ std::string CsvReader::plainCell() {
   const auto end =
       std::find_if(m_rest.begin(), m_rest.end(), [this](char c) { return c == m_separator || endsLine(c); });
   const auto length = static_cast<std::size_t>(end - m_rest.begin());
-  const std::string text(trimmed(m_rest.substr(0, length)));
+  std::string text(trimmed(m_rest.substr(0, length)));
   m_rest.remove_prefix(length);
   return text;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halfspace {
@@ -42,7 +43,7 @@ private:
   [[nodiscard]] bool isAt(char c) const { return !m_rest.empty() && m_rest.front() == c; }
   [[nodiscard]] bool isAtCellEnd() const;
   [[nodiscard]] Problem problemAt(int line, std::string sentence) const {
-    return {sentence, m_file, line, ""};
+    return {std::move(sentence), m_file, line, ""};
   }
 
   std::string_view m_rest;
