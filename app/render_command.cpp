@@ -46,17 +46,6 @@ std::vector<std::string> subjectsOf(const RenderCommand &command, SubjectOpener 
   return ids;
 }
 
-/// Files that a figure must not be written over.
-std::vector<std::string> inputsOf(const RenderCommand &command, const std::vector<PlannedSubject> &subjects) {
-  std::vector<std::string> files;
-  for (const PlannedSubject &subject : subjects)
-    if (namesSession(subject.name))
-      files.push_back(subject.name);
-  if (command.rowsFile)
-    files.push_back(*command.rowsFile);
-  return files;
-}
-
 /// A problem that says which subject it is of.
 Problem named(Problem problem, const std::string &subject) {
   if (problem.file.empty())
@@ -91,7 +80,7 @@ Result<RenderPlan> planOf(const RenderCommand &command, const ValueRows *rows, S
         return *problem;
       plan.problems.push_back(named(*problem, name));
     }
-  PlanRequest request{plan.subjects, rows, command.frames, {}, inputsOf(command, plan.subjects)};
+  PlanRequest request{plan.subjects, rows, command.frames, {}};
   for (const FigureOutput &output : command.outputs)
     request.outputs.push_back(output.name);
   auto jobs = planFigures(request);

@@ -157,11 +157,14 @@ fs::path realPath(const std::string &file) {
 }
 
 std::optional<Problem> refuseInputs(const std::vector<FigureJob> &jobs, const PlanRequest &request) {
-  if (request.inputFiles.empty())
-    return {};
   std::set<fs::path> inputs;
-  for (const std::string &file : request.inputFiles)
-    inputs.insert(realPath(file));
+  for (const PlannedSubject &subject : request.subjects)
+    if (subject.isFile)
+      inputs.insert(realPath(subject.name));
+  if (request.rows)
+    inputs.insert(realPath(request.rows->file));
+  if (inputs.empty())
+    return {};
   for (const FigureJob &job : jobs)
     if (inputs.contains(realPath(job.file)))
       return refused(

@@ -21,8 +21,9 @@ struct FigureJob {
 
 /// A lesson or a file that figures are made of.
 struct PlannedSubject {
-  std::string name;  ///< as it is asked for
-  std::string label; ///< for {lesson}: the lesson's id, or the file without its folder and ending
+  std::string name;    ///< as it is asked for
+  std::string label;   ///< for {lesson}: the lesson's id, or the file without its folder and ending
+  bool isFile = false; ///< which must stay as it is
   std::vector<std::optional<int>> steps{std::nullopt}; ///< to show, as in FigureJob; at least one
 };
 
@@ -31,7 +32,6 @@ struct PlanRequest {
   const ValueRows *rows = nullptr;             ///< null: the scenes are drawn as they are
   std::optional<std::pair<int, int>> frames{}; ///< the first and the last
   std::vector<OutputName> outputs;
-  std::vector<std::string> inputFiles{}; ///< that must stay as they are
 };
 
 /// The figures, subject by subject, row by row, step by step. A sentence where a name has a place that

@@ -11,10 +11,8 @@
 namespace halfspace {
 namespace {
 
-/// The file without its folder and ending; a lesson's id stays as it is.
-std::string labelOf(const std::string &subject, const OpenedSession &opened) {
-  const bool isFile = opened.origin != OpenedSession::Origin::Lesson || subject.ends_with(".md");
-  return isFile ? std::filesystem::path(subject).stem().string() : subject;
+bool isFile(const std::string &subject, const OpenedSession &opened) {
+  return opened.origin != OpenedSession::Origin::Lesson || subject.ends_with(".md");
 }
 
 int stepCountOf(const OpenedSession &opened) {
@@ -73,7 +71,9 @@ Result<PlannedSubject> plannedOf(const std::string &subject, const OpenedSession
     return std::move(*problem);
   if (auto problem = rows ? refuseColumns(opened, command, *rows) : std::nullopt)
     return std::move(*problem);
-  return PlannedSubject{subject, labelOf(subject, opened), std::move(steps)};
+  const bool comesFromFile = isFile(subject, opened);
+  return PlannedSubject{subject, comesFromFile ? std::filesystem::path(subject).stem().string() : subject,
+                        comesFromFile, std::move(steps)};
 }
 
 std::optional<Problem> lackOfSteps(const OpenedSession &opened, const RenderCommand &command) {

@@ -10,7 +10,7 @@ namespace {
 
 PlanRequest requestFor(const std::vector<std::string> &names, std::vector<PlannedSubject> subjects,
                        const ValueRows *rows = nullptr) {
-  PlanRequest request{std::move(subjects), rows, {}, {}, {}};
+  PlanRequest request{std::move(subjects), rows, {}, {}};
   for (const std::string &name : names)
     request.outputs.push_back(*OutputName::parse(name, true));
   return request;
@@ -32,7 +32,7 @@ std::string problemOf(const PlanRequest &request) {
 
 using Files = std::vector<std::string>;
 const PlannedSubject whole{"ray-box", "ray-box"};
-const PlannedSubject two{"x/a.halfspace", "a", {1, 3}};
+const PlannedSubject two{"x/a.halfspace", "a", true, {1, 3}};
 const ValueRows rows{"v.csv", {"Q", "name"}, {{{{0, "1,2,3"}, {1, "first"}}, 2}, {{{1, "second"}}, 3}}};
 
 TEST(FigurePlan, OfOneSubject_IsOneFigure) {
@@ -44,7 +44,7 @@ TEST(FigurePlan, OfOneSubject_IsOneFigure) {
 }
 
 TEST(FigurePlan, GoesThroughSubjectsRowsStepsFramesAndFormats) {
-  EXPECT_EQ(filesOf(requestFor({"{lesson}-{step}.svg"}, {two, {"b", "b", {2}}})),
+  EXPECT_EQ(filesOf(requestFor({"{lesson}-{step}.svg"}, {two, {"b", "b", false, {2}}})),
             (Files{"a-1.svg", "a-3.svg", "b-2.svg"}));
   EXPECT_EQ(filesOf(requestFor({"{row:02}-{step}.svg", "{name}-{step}.pdf"}, {two}, &rows)),
             (Files{"01-1.svg", "first-1.pdf", "01-3.svg", "first-3.pdf", "02-1.svg", "second-1.pdf",
@@ -98,11 +98,13 @@ TEST(FigurePlan, WithAPlaceThatNothingFills_IsRefused) {
 }
 
 TEST(FigurePlan, OverAFileThatIsRead_IsRefused) {
-  PlanRequest request = requestFor({"{lesson}.png"}, {{"a.png", "a"}});
-  request.inputFiles = {"./a.png", "v.csv"};
-  EXPECT_EQ(problemOf(request), "--output: “a.png” is read for this: a figure cannot be written over it.");
-  request.outputs = {*OutputName::parse("b{lesson}.png", false)};
-  EXPECT_EQ(problemOf(request), "none");
+  const std::string refusal = "--output: “a.png” is read for this: a figure cannot be written over it.";
+  EXPECT_EQ(problemOf(requestFor({"{lesson}.png"}, {{"./a.png", "a", true}})), refusal);
+  EXPECT_EQ(problemOf(requestFor({"b{lesson}.png"}, {{"./a.png", "a", true}})), "none");
+  EXPECT_EQ(problemOf(requestFor({"{lesson}"}, {{"a", "a", false}})), "none") << "a lesson is no file";
+  const ValueRows table{"a.png", {"Q"}, {{{{0, "1,2,3"}}, 2}}};
+  EXPECT_EQ(problemOf(requestFor({"x/../a.png"}, {whole}, &table)),
+            "--output: “x/../a.png” is read for this: a figure cannot be written over it.");
 }
 
 TEST(FigurePlan, OfTooManyFigures_IsRefusedAtOnce) {
