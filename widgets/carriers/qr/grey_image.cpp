@@ -91,13 +91,9 @@ Result<GreyImage> greyJpeg(std::string_view file) {
 
 } // namespace
 
-bool isPixelPicture(std::string_view file) {
-  return isPng(file) || file.starts_with(beginOfJpeg);
-}
+bool isPixelPicture(std::string_view file) { return isPng(file) || file.starts_with(beginOfJpeg); }
 
-Result<GreyImage> greyImageOf(std::string_view file) {
-  return isPng(file) ? greyPng(file) : greyJpeg(file);
-}
+Result<GreyImage> greyImageOf(std::string_view file) { return isPng(file) ? greyPng(file) : greyJpeg(file); }
 
 GreyImage doubled(const GreyImage &image) {
   GreyImage larger = whiteImage(2 * image.width, 2 * image.height);
