@@ -46,6 +46,8 @@ public:
   Camera(const QrCode &code, const Shot &shot) : m_code(code), m_shot(shot) {
     const double width = 1.5 * millimetresOf(code) * shot.pixelsPerMillimetre;
     m_side = static_cast<int>(width * (1 + shot.tilt));
+    const double angle = shot.degrees * glm::pi<double>() / 180;
+    m_rotation = {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle)};
   }
 
   [[nodiscard]] GreyImage photograph(std::uint32_t seed) const {
@@ -65,9 +67,7 @@ private:
     const double half = m_side / 2.0;
     const glm::dvec2 fromMiddle = pixel - half;
     const glm::dvec2 turned = fromMiddle / (1 + m_shot.tilt * fromMiddle.y / half);
-    const double angle = m_shot.degrees * glm::pi<double>() / 180;
-    const glm::dmat2 rotation(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
-    return rotation * turned / m_shot.pixelsPerMillimetre;
+    return m_rotation * turned / m_shot.pixelsPerMillimetre;
   }
 
   [[nodiscard]] std::vector<double> exposed() const {
@@ -125,6 +125,7 @@ private:
 
   const QrCode &m_code;
   Shot m_shot;
+  glm::dmat2 m_rotation{1};
   int m_side = 0;
 };
 
