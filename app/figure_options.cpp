@@ -199,6 +199,7 @@ void addFigureOptions(CLI::App &command, FigureOptions &options) {
                   words("How SVG has its text: as shapes, which look the same everywhere, or as letters"))
       ->type_name("shapes|letters")
       ->capture_default_str();
+  addShownOptions(command, options.shown);
   command.add_flag(
       "--qr", options.hasCode,
       words("A QR code beside it holds its scene: a photograph of the printed figure can be opened again"));
@@ -253,6 +254,10 @@ Result<FigureChoices> choicesOf(const std::string &output, const FigureOptions &
   if (!text)
     return refused(words("--svg-text takes shapes or letters, not “{text}”.", {{"text", options.text}}));
   choices.text = *text;
+  const auto shown = shownPartsOf(options.shown);
+  if (!shown)
+    return shown.problem();
+  choices.shown = *shown;
   choices.isCropped = options.isCropped;
   choices.isTransparent = options.isTransparent;
   choices.hasCode = options.hasCode;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/figures/figure_choices.h"
+#include "app/shown_options.h"
 #include "lessons/result.h"
 
 #include <string>
@@ -27,6 +28,7 @@ struct FigureOptions {
   bool isCropped = false;
   bool isTransparent = false;
   bool hasCode = false;
+  ShownOptions shown;
 };
 
 /// Lets a command take them.

@@ -3,6 +3,7 @@
 
 #include "widgets/exports/format.h"
 #include "widgets/exports/paper_look.h"
+#include "widgets/picture/shown_parts.h"
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"
 
@@ -46,6 +47,7 @@ struct FigureChoices {
   bool isCropped = false; ///< to what is drawn; the size then says how wide it is
   Theme theme = themes().front();
   bool isTransparent = false; ///< without a background
+  ShownParts shown{};
   HiddenLines hidden = HiddenLines::Dashed;
   TextAs text = TextAs::Shapes; ///< where the format leaves the choice
   bool hasCode = false;         ///< a QR code of the session, where there is one, stands beside it

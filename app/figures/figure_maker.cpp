@@ -47,21 +47,28 @@ RgbaImage withCode(const RgbaImage &picture, const QrCode &code, const FigureCho
   return withQrCode(picture, code, choices.pixelsPerInch(), ground);
 }
 
+/// A content with what is chosen of it.
+SceneContent chosen(SceneContent content, const FigureChoices &choices) {
+  content.shown = choices.shown;
+  return content;
+}
+
 Problem tooLarge() { return {words("There is not enough memory for this picture."), "", 0, ""}; }
 
 Result<DrawnPicture> flatPicture(const FlatPicture &flat, const View &view, const FigureChoices &choices,
                                  const Typesetter &typesetter) {
   try {
-    return DrawnPicture{
-        drawFlat(flat.seenFrom(view), choices.theme, view, choices.isTransparent, typesetter)};
+    return DrawnPicture{drawFlat(chosen(flat.seenFrom(view), choices), choices.theme, view,
+                                 choices.isTransparent, typesetter)};
   } catch (const std::bad_alloc &) {
     return tooLarge();
   }
 }
 
-std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const Theme &theme,
+std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const FigureChoices &choices,
                                 const LabelSetter &set) {
-  const SceneContent content = flat.seenFrom(view);
+  const Theme &theme = choices.theme;
+  const SceneContent content = chosen(flat.seenFrom(view), choices);
   const auto labels = LabelPage().place(labelTexts(content, {}, theme, view),
                                         obstaclesOf(content, std::nullopt, theme, view), set, view);
   return drawnBox(flatShapes(content, theme, view),
@@ -112,8 +119,9 @@ Result<DrawnPicture> FigureMaker::picture(const FigureSubject &subject, const Fi
     if (subject.flat)
       return flatPicture(*subject.flat, view, choices, m_typesetter);
     PictureRequest request;
-    request.content = subject.content;
-    request.labelledLike = subject.framedLike;
+    request.content = chosen(subject.content, choices);
+    if (subject.framedLike)
+      request.labelledLike = chosen(*subject.framedLike, choices);
     request.camera = view.camera;
     request.theme = choices.theme;
     request.size = view.size;
@@ -130,7 +138,8 @@ Drawing FigureMaker::drawing(const FigureSubject &subject, const FigureChoices &
   const auto [view, page] = framingOf(subject, choices);
   const double pointsPerPixel = choices.paperSize().width / page.extent().x;
   const PaperLook look{view.size.width * pointsPerPixel, choices.hidden, !choices.isTransparent};
-  Drawing whole = subject.flat ? flatDrawingOf(subject.flat->seenFrom(view), choices.theme, view, look, m_set)
+  Drawing whole = subject.flat ? flatDrawingOf(chosen(subject.flat->seenFrom(view), choices), choices.theme,
+                                               view, look, m_set)
                                : drawingOf(shapesOf(subject, choices, view), look);
   return partOf(std::move(whole), page.low * pointsPerPixel, page.extent() * pointsPerPixel);
 }
@@ -149,7 +158,7 @@ Framing FigureMaker::framingOf(const FigureSubject &subject, const FigureChoices
 std::optional<PixelBox> FigureMaker::drawnOn(const View &view, const FigureSubject &subject,
                                              const FigureChoices &choices) {
   if (subject.flat)
-    return flatBox(*subject.flat, view, choices.theme, m_set);
+    return flatBox(*subject.flat, view, choices, m_set);
   if (!subject.framedLike)
     return drawnBox(shapesOf(subject, choices, view));
   FigureSubject like = subject;
@@ -164,10 +173,10 @@ const ShapeList &FigureMaker::shapesOf(const FigureSubject &subject, const Figur
   m_composer.setBackgroundVisible(!choices.isTransparent);
   m_composer.setView(view);
   if (subject.framedLike) {
-    m_composer.setContent(*subject.framedLike);
+    m_composer.setContent(chosen(*subject.framedLike, choices));
     m_composer.compose();
   }
-  m_composer.setContent(subject.content);
+  m_composer.setContent(chosen(subject.content, choices));
   return m_composer.compose();
 }
 

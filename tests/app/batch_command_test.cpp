@@ -223,8 +223,9 @@ TEST_F(ChangedBatch, WithNothingChanged_DrawsNothing_InAnyFormat) {
 
 TEST_F(ChangedBatch, WithOtherOptions_DrawsAll) {
   const std::string render = "signed-distance --steps 1-2 -o '{step}.svg' ";
-  for (const std::string options : {"", "--theme dark", "--width 9cm", "--crop", "--hidden paler",
-                                    "--anonymous", "--transparent", "--svg-text letters", "--set Q=1,2,3"}) {
+  for (const std::string options :
+       {"", "--theme dark", "--width 9cm", "--crop", "--hidden paler", "--anonymous", "--transparent",
+        "--svg-text letters", "--show coordinates", "--without axes,grid", "--set Q=1,2,3"}) {
     EXPECT_EQ(drawn(render + options), told(2, 0)) << options;
     EXPECT_EQ(drawn(render + options), told(0, 2)) << options;
   }

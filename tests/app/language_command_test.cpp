@@ -17,6 +17,16 @@ const test::Names names{"LESSON",    "FILE",          "FOLDER",  "ID",        "N
                         "lesson",    "step",          "row",     "frame",     "CSV",       "ray",
                         "sphere",    "JSON",          "handout", "letter",    "NUMBERS",   "paper",
                         "animate",   "motion",        "flight",  "turn",      "seconds",   "fps"};
+const test::Names names{
+    "LESSON",  "FILE",        "FOLDER",    "ID",           "NAME",    "VALUE",         "INT",
+    "FORMAT",  "THEME",       "Halfspace", "halfspace",    "subject", "output",        "paths",
+    "file",    "size",        "distance",  "lessons",      "new",     "constructions", "check",
+    "explain", "render",      "eval",      "text",         "latex",   "json",          "light",
+    "dark",    "print",       "projector", "WIDTHxHEIGHT", "NUMBER",  "nobody",        "nowhere",
+    "LENGTH",  "dashed",      "paler",     "left",         "out",     "width",         "hidden",
+    "mathml",  "shapes",      "letters",   "changed",      "steps",   "rows",          "lesson",
+    "step",    "row",         "frame",     "CSV",          "ray",     "sphere",        "JSON",
+    "labels",  "coordinates", "axes",      "grid",         "shadows", "show",          "without"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:
@@ -51,6 +61,8 @@ TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
                                 "render x -o a.svg --width 1cm --text 20pt",
                                 "render x -o a.svg --hidden no",
                                 "render x -o a.png --hidden dashed",
+                                "render x -o a.png --without nobody",
+                                "render x -o a.png --show axes --without axes",
                                 "render x -o a.png --size 0x0",
                                 "animate x -o a.gif",
                                 "animate x --motion dance -o a.gif",
