@@ -316,13 +316,18 @@ void LabelLayout::pinRow(const std::vector<std::size_t> &row, const std::vector<
                          const std::vector<LabelOptions> &options, Placed &placed) {
   for (const std::size_t label : row)
     placed[label].reset();
+  const auto isStruck = [&](const LabelCandidate &there) {
+    return std::any_of(placed.begin(), placed.end(), [&](const std::optional<LabelCandidate> &other) {
+      return other && strikes(*other, there);
+    });
+  };
   std::vector<std::size_t> seen;
   std::vector<RowNumber> numbers;
   for (const std::size_t label : row)
     for (const LabelCandidate &only : options[label].candidates()) {
+      const bool isRead = canBeRead(only, label, options[label], placed) && !isStruck(only);
       seen.push_back(label);
-      numbers.push_back(
-          {requests[label].row.place, only.room, canBeRead(only, label, options[label], placed)});
+      numbers.push_back({requests[label].row.place, only.room, isRead});
     }
   const std::vector<bool> written = writtenOf(numbers);
   for (std::size_t i = 0; i < seen.size(); ++i)
