@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compares the figures of all lessons as two builds write them, byte for byte: build/release by GCC, optimized and with GMP,
+# Compares the figures of all steps of all lessons as two builds write them, byte for byte: build/release by GCC, optimized and with GMP,
 # and build/core by clang, neither. Both must be built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

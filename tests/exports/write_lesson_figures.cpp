@@ -1,39 +1,37 @@
-// Writes the whole figure of every lesson in every format into a folder, so that what was built by another
+// Writes the figures of all lessons' steps in every format into a folder, so that what was built by another
 // compiler, or on another day, can be compared with it: scripts/check-same-figures.sh.
-#include "lessons/files/write_file.h"
 #include "tests/exports/lesson_drawings.h"
 #include "widgets/exports/format.h"
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
 namespace halfspace {
 namespace {
 
-int writeFiguresInto(const std::filesystem::path &folder) {
-  const PaperLook look;
-  constexpr double typeSize = 9;
-  const Theme &theme = *findTheme("print");
-  for (const Lesson &lesson : library().lessons) {
-    const View view = viewOnPaper({1600, 1000}, look.width, typeSize, theme);
-    Drawing drawing = drawingOf(shapesOfStep(lesson, nullptr, view, theme), look);
-    drawing.title = lesson.title;
-    for (const ExportFormat &format : exportFormats())
-      if (const auto problem = writeFile(folder / (lesson.id + format.ending),
-                                         format.write(drawing, math::fonts(), TextAs::Shapes))) {
-        std::fprintf(stderr, "%s\n", problem->text().c_str());
-        return 1;
+/// Whether all could be written.
+bool writeFiguresInto(const std::filesystem::path &folder) {
+  bool areWritten = !library().lessons.empty();
+  for (const Lesson &lesson : library().lessons)
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      const Drawing drawing = drawingOfStep(lesson, lesson.steps[i]);
+      for (const ExportFormat &format : exportFormats()) {
+        std::ofstream file(folder / (lesson.id + "-" + std::to_string(i + 1) + format.ending),
+                           std::ios::binary);
+        file << format.write(drawing, math::fonts(), TextAs::Shapes);
+        areWritten = areWritten && file.flush();
       }
-  }
-  return 0;
+    }
+  return areWritten;
 }
 
 } // namespace
 } // namespace halfspace
 
 int main(int argc, char **argv) {
-  if (argc != 2) {
-    std::fputs("Say which folder the figures go into.\n", stderr);
-    return 2;
-  }
-  return halfspace::writeFiguresInto(argv[1]);
+  if (argc == 2 && halfspace::writeFiguresInto(argv[1]))
+    return 0;
+  std::fputs("Say which folder the figures go into, and let there be room for them.\n", stderr);
+  return 2;
 }
