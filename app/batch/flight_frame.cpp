@@ -1,5 +1,6 @@
 #include "app/batch/flight_frame.h"
 
+#include "lessons/lesson/step_of_flight.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
@@ -29,12 +30,7 @@ Rational goTo(const Rational &wanted, OpenedSession &opened) {
 } // namespace
 
 const LessonStep *stepOfFlight(const OpenedSession &opened) {
-  const LessonStep *last = nullptr;
-  if (opened.lesson)
-    for (const LessonStep &step : opened.lesson->steps)
-      if (flightOf(step))
-        last = &step;
-  return last;
+  return opened.lesson ? stepOfFlight(*opened.lesson) : nullptr;
 }
 
 void goToFirstFrame(OpenedSession &opened) {

@@ -1,4 +1,5 @@
 // A torpedo's flight, from its first frame to its last.
+#include "lessons/lesson/step_of_flight.h"
 #include "lessons/words.h"
 #include "widgets/animation/staged_scene.h"
 #include "widgets/flight/scene_flight.h"
@@ -7,15 +8,6 @@
 
 namespace halfspace {
 namespace {
-
-/// The last step that shows the lesson's flight; null where it has none.
-const LessonStep *stepOfFlight(const Lesson &lesson) {
-  const LessonStep *last = nullptr;
-  for (const LessonStep &step : lesson.steps)
-    if (flightOf(step))
-      last = &step;
-  return last;
-}
 
 /// Labels stay where they are at the beginning.
 class Flight : public Motion {
