@@ -84,6 +84,7 @@ TEST_F(FindSession, InAFileBeyondTheLimit_IsRefused) {
   std::string png = test::pngPicture();
   png.resize(mostPictureBytes + 1);
   EXPECT_FALSE(found(png));
+  EXPECT_FALSE(findSessionIn(png, ""));
 }
 
 } // namespace

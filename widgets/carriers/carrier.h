@@ -24,6 +24,8 @@ struct Carrier {
   /// proportion to the picture, and at most `maxSessionBytes` for what is unpacked. A sentence where there is
   /// none, or a damaged one. That it is a session is for its reader to say.
   std::function<Result<std::string>(std::string_view picture)> take;
+  /// In a sentence, what is usually done with such pictures and loses the session.
+  std::function<std::string()> lostBy;
 };
 
 [[nodiscard]] const std::vector<Carrier> &carriers();

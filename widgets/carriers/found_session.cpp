@@ -2,6 +2,7 @@
 
 #include "lessons/files/read_file.h"
 #include "lessons/scene/file/session_file.h"
+#include "lessons/words.h"
 #include "widgets/carriers/carrier.h"
 #include "widgets/carriers/qr/grey_image.h"
 #include "widgets/carriers/qr/photograph.h"
@@ -27,11 +28,17 @@ Result<FoundSession> findSession(const std::filesystem::path &file) {
   auto content = readFile(file, mostPictureBytes);
   if (!content)
     return content.problem();
-  const bool isPicture = carrierOf(*content) || isPixelPicture(*content);
-  auto text = isPicture ? sessionInPicture(*content) : std::move(content);
+  return findSessionIn(std::move(*content), file.string());
+}
+
+Result<FoundSession> findSessionIn(std::string content, const std::string &file) {
+  if (content.size() > mostPictureBytes)
+    return Problem{words("This picture is too large to be searched for a scene."), file, 0, ""};
+  const bool isPicture = carrierOf(content) || isPixelPicture(content);
+  auto text = isPicture ? sessionInPicture(content) : std::move(content);
   if (!text)
-    return Problem{text.problem().sentence, file.string(), 0, ""};
-  auto session = readSession(*text, file.string());
+    return Problem{text.problem().sentence, file, 0, ""};
+  auto session = readSession(*text, file);
   if (!session)
     return session.problem();
   return FoundSession{std::move(*session), std::move(*text), isPicture};

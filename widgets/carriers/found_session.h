@@ -24,4 +24,7 @@ struct FoundSession {
 /// carry none a QR code is looked for.
 [[nodiscard]] Result<FoundSession> findSession(const std::filesystem::path &file);
 
+/// The same of what a file holds, or a clipboard; problems name the file, which may be empty.
+[[nodiscard]] Result<FoundSession> findSessionIn(std::string content, const std::string &file);
+
 } // namespace halfspace

@@ -185,6 +185,10 @@ Result<std::string> takeFromPdf(std::string_view picture) {
 
 } // namespace
 
-Carrier pdf_carrier() { return {"PDF", ".pdf", isPdf, putIntoPdf, takeFromPdf}; }
+Carrier pdf_carrier() {
+  return {"PDF",       ".pdf",
+          isPdf,       putIntoPdf,
+          takeFromPdf, [] { return words("Included in a document by LaTeX, the figure loses the scene."); }};
+}
 
 } // namespace halfspace

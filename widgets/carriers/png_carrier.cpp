@@ -1,5 +1,6 @@
 // PNG: a chunk of text, iTXt, deflated. It is found wherever it stands and whatever stands before it, and as
 // the older kinds of text as well, which some programs make of it.
+#include "lessons/words.h"
 #include "widgets/carriers/carrier.h"
 #include "widgets/carriers/deflate.h"
 #include "widgets/carriers/packed_scene.h"
@@ -72,6 +73,11 @@ Result<std::string> takeFromPng(std::string_view picture) {
 
 } // namespace
 
-Carrier png_carrier() { return {"PNG", ".png", isPng, putIntoPng, takeFromPng}; }
+Carrier png_carrier() {
+  return {"PNG", ".png", isPng, putIntoPng, takeFromPng, [] {
+            return words(
+                "Screenshots lose the scene, and so do programs that make a new picture of the pixels.");
+          }};
+}
 
 } // namespace halfspace

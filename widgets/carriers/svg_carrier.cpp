@@ -1,6 +1,7 @@
 // SVG: an element of its own among the metadata, deflated and as base64, so that no program that lays the
 // file out anew changes it. It is found by the word that it begins with, whatever its element is called by
 // then: no XML is read.
+#include "lessons/words.h"
 #include "widgets/carriers/base64.h"
 #include "widgets/carriers/carrier.h"
 #include "widgets/carriers/deflate.h"
@@ -49,6 +50,11 @@ Result<std::string> takeFromSvg(std::string_view picture) {
 
 } // namespace
 
-Carrier svg_carrier() { return {"SVG", ".svg", isSvg, putIntoSvg, takeFromSvg}; }
+Carrier svg_carrier() {
+  return {
+      "SVG",       ".svg",
+      isSvg,       putIntoSvg,
+      takeFromSvg, [] { return words("Programs that clean the file up or convert it may lose the scene."); }};
+}
 
 } // namespace halfspace
