@@ -3,6 +3,7 @@
 #include "app/menus/add_item.h"
 #include "app/menus/camera_actions.h"
 #include "app/panels/scene_column.h"
+#include "app/panels/theme_title.h"
 #include "app/panels/window_layout.h"
 #include "app/panels/window_look.h"
 #include "app/panels/window_panels.h"
@@ -10,7 +11,6 @@
 
 #include <QActionGroup>
 #include <QDockWidget>
-#include <QMap>
 
 namespace halfspace {
 
@@ -56,11 +56,9 @@ void ViewMenu::addSizeMenu(WindowLook &look, Messages messages) {
 void ViewMenu::addThemeMenu(WindowLook &look) {
   QMenu &menu = *addMenu(tr("Th&eme"));
   auto *group = new QActionGroup(this);
-  const QMap<QString, QString> titles{
-      {"light", tr("Light")}, {"dark", tr("Dark")}, {"print", tr("Print")}, {"projector", tr("Projector")}};
   for (const Theme &theme : themes()) {
     QString name = QString::fromStdString(theme.name);
-    QAction *action = menu.addAction(titles.value(name));
+    QAction *action = menu.addAction(themeTitle(name));
     action->setCheckable(true);
     action->setData(name);
     group->addAction(action);
