@@ -1,12 +1,12 @@
 #include "app/figure_options.h"
 
+#include "app/figures/figure_words.h"
 #include "lessons/words.h"
 #include "widgets/scene/offscreen.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 
@@ -49,34 +49,6 @@ std::optional<double> parseLength(std::string_view text) {
        {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerCentimetre / 10}, {"pt", 1.0}})
     if (value && text == name)
       return *value * points;
-  return {};
-}
-
-/// Smaller and larger pages and type are for nobody, in points.
-constexpr double leastWidth = pointsPerCentimetre;
-constexpr double mostWidth = 100 * pointsPerCentimetre;
-constexpr double leastType = 3;
-constexpr double mostType = 72;
-/// Labels of larger type, in parts of the width, find no place beside one another.
-constexpr double mostTypePerWidth = 0.1;
-/// As coarse as a screen of long ago, and as fine as a typesetter.
-constexpr double leastPixelsPerInch = 10;
-constexpr double mostPixelsPerInch = 2400;
-
-/// How what is hidden may be drawn, by its word.
-constexpr std::array hiddenWords{std::pair("dashed", HiddenLines::Dashed),
-                                 std::pair("paler", HiddenLines::Paler),
-                                 std::pair("left-out", HiddenLines::LeftOut)};
-/// How formulas may be written.
-constexpr std::array textWords{std::pair("shapes", TextAs::Shapes), std::pair("letters", TextAs::Letters)};
-
-/// What a word stands for; nothing where it is none of them.
-template <class Meaning, std::size_t count>
-std::optional<Meaning> meant(const std::array<std::pair<const char *, Meaning>, count> &wordList,
-                             const std::string &word) {
-  for (const auto &[name, meaning] : wordList)
-    if (word == name)
-      return meaning;
   return {};
 }
 

@@ -43,7 +43,7 @@ double FigureChoices::pixelsPerInch() const {
 
 View FigureChoices::frame() const {
   if (!isOnPaper())
-    return {{}, size, ownPixelRatio(size)};
+    return {{}, size, pixelRatio.value_or(ownPixelRatio(size))};
   const PaperSize measured = paperSize();
   return viewOnPaper(size, measured.width, measured.typeSize, theme,
                      format->vectors ? drawingPixels : measured.pixelsAcross());

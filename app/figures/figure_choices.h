@@ -44,6 +44,8 @@ struct FigureChoices {
   /// Nothing: it is measured in pixels, and its type is as large as its height says. Vectors are always
   /// measured on paper.
   std::optional<PaperSize> paper{};
+  /// Of a figure that is measured in pixels, those that a design pixel has; nothing: as its height says.
+  std::optional<double> pixelRatio{};
   bool isCropped = false; ///< to what is drawn; the size then says how wide it is
   Theme theme = themes().front();
   bool isTransparent = false; ///< without a background

@@ -49,8 +49,11 @@ public:
   /// A figure of vectors, likewise; not yet described.
   [[nodiscard]] Drawing drawing(const FigureSubject &subject, const FigureChoices &choices);
 
-private:
+  /// The view that a figure is drawn on, and the part of it that is kept: of one of pixels, as large as its
+  /// file.
   [[nodiscard]] Framing framingOf(const FigureSubject &subject, const FigureChoices &choices);
+
+private:
   /// What is drawn of a subject on a view.
   [[nodiscard]] std::optional<PixelBox> drawnOn(const View &view, const FigureSubject &subject,
                                                 const FigureChoices &choices);
