@@ -1,5 +1,7 @@
 #include "app/main_window.h"
 
+#include "app/export/figure_export.h"
+#include "app/export/scene_paste.h"
 #include "app/library/contents_presenter.h"
 #include "app/library/formula_presenter.h"
 #include "app/library/glossary_presenter.h"
@@ -20,7 +22,6 @@
 #include "app/window_settings.h"
 #include "app/work/animation_export.h"
 #include "app/work/handout_export.h"
-#include "app/work/picture_export.h"
 #include "app/work/working_copy.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
@@ -70,11 +71,12 @@ MainWindow::MainWindow(LessonLibrary library, Session session, const Result<Sett
   new LessonReloader(m_model, m_panels.messages(), this);
   auto *ownLessons = new OwnLessonFolders(m_model, m_progress, m_panels.messages(), this);
   auto *contents = new ContentsPresenter(m_model, m_panels.contents(), m_progress, this);
-  createMenus(*ownLessons, *contents);
+  auto *figures = new FigureExport(m_model, m_panels.scene(), m_panels.messages(), this);
+  createMenus(*ownLessons, *contents, *figures);
   createHeader(*contents);
   connectParts();
   m_settings = std::make_unique<WindowSettings>(m_model, m_look, m_layout, *ownLessons,
-                                                m_panels.scene().flat().unfolded(), m_putAside);
+                                                m_panels.scene().flat().unfolded(), *figures, m_putAside);
   m_settings->restore(settings);
   m_step.showAll();
   updateTitle();
@@ -87,21 +89,22 @@ MainWindow::~MainWindow() {
 
 SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
 
-void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents) {
-  auto *pictures =
-      new PictureExport(m_model, sceneView(), m_look, m_panels.typesetter(), m_panels.messages(), this);
+void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents,
+                             FigureExport &figures) {
   auto *handouts = new HandoutExport(m_model, m_panels.typesetter(), m_panels.messages(), this);
   auto *animations = new AnimationExport(m_model, sceneView(), m_look, m_panels.messages(), this);
   auto *working = new WorkingCopy(m_panels.practice().working(), m_panels.messages(), this);
+  auto *paste = new ScenePaste(m_files, m_panels.messages(), this);
   auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
   auto *formulas = new FormulaPresenter(m_model, m_look, m_panels.typesetter(), *this);
   QMenuBar *bar = menuBar();
-  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, *handouts, *animations, bar);
+  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, figures, *handouts, *animations, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
   bar->addMenu(file);
-  bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), *working, bar));
+  bar->addMenu(
+      new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), *working, figures, *paste, bar));
   bar->addMenu(new ViewMenu(*camera, m_look, m_layout, m_panels, bar));
   bar->addMenu(new LessonMenu(m_step.turner(), m_step.page(), m_step.flight(), contents, *glossary, *formulas,
                               ownLessons, bar));

@@ -21,6 +21,7 @@ namespace halfspace {
 
 class CameraActions;
 class ContentsPresenter;
+class FigureExport;
 class OwnLessonFolders;
 class WindowSettings;
 struct Settings;
@@ -64,7 +65,7 @@ protected:
   void dropEvent(QDropEvent *event) override;
 
 private:
-  void createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents);
+  void createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents, FigureExport &figures);
   void createHeader(ContentsPresenter &contents);
   void createSceneTools(CameraActions &camera);
   void connectParts();

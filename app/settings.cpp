@@ -46,6 +46,8 @@ Settings settingsFrom(const QJsonObject &json) {
   if (step && *step > 0)
     settings.snapStep = *step;
   settings.snapping = json["snapping"].toBool(settings.snapping);
+  settings.figure = exportChoicesIn(json["figure"].toObject());
+  settings.figureFolder = json["figureFolder"].toString();
   return settings;
 }
 
@@ -79,7 +81,9 @@ std::optional<Problem> writeSettings(const Settings &settings, const QString &fi
                    {"panels", textOf(settings.panels)},
                    {"split", textOf(settings.split)},
                    {"snapStep", QString::fromStdString(toText(settings.snapStep))},
-                   {"snapping", settings.snapping}};
+                   {"snapping", settings.snapping},
+                   {"figure", toJson(settings.figure)},
+                   {"figureFolder", settings.figureFolder}};
   if (settings.sizeScale)
     json["sizeScale"] = *settings.sizeScale;
   if (auto problem = makeFolder(QFileInfo(file).path()))

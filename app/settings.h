@@ -1,6 +1,7 @@
 // What a user has chosen, kept between starts.
 #pragma once
 
+#include "app/export/export_choices.h"
 #include "geometry/rational.h"
 #include "lessons/result.h"
 
@@ -22,6 +23,8 @@ struct Settings {
   QStringList ownLessons{};        ///< folders of the user's own lessons
   bool flatPicture = true;         ///< unfolded, where a lesson has one
   QByteArray split;                ///< between scene and page, likewise; empty: as it suits the window
+  ExportChoices figure{};          ///< what was chosen last of figures for files
+  QString figureFolder{};          ///< where the last one went; empty: nowhere yet
   bool operator==(const Settings &) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "app/window_settings.h"
 
+#include "app/export/figure_export.h"
 #include "app/library/own_lesson_folders.h"
 #include "app/panels/window_layout.h"
 #include "app/panels/window_look.h"
@@ -10,10 +11,14 @@
 namespace halfspace {
 
 WindowSettings::WindowSettings(SessionModel &model, WindowLook &look, WindowLayout &layout,
-                               OwnLessonFolders &ownLessons, QAction &flatPicture, PutAsideFiles &putAside)
+                               OwnLessonFolders &ownLessons, QAction &flatPicture, FigureExport &figures,
+                               PutAsideFiles &putAside)
     : m_model(model), m_look(look), m_layout(layout), m_ownLessons(ownLessons), m_flatPicture(flatPicture),
-      m_putAside(putAside) {
-  connect(&look, &WindowLook::chosen, this, &WindowSettings::storeLook);
+      m_figures(figures), m_putAside(putAside) {
+  connect(&look, &WindowLook::chosen, this,
+          [this] { storeAtOnce([this](Settings &settings) { m_look.putTheme(settings); }); });
+  connect(&figures, &FigureExport::chosen, this,
+          [this] { storeAtOnce([this](Settings &settings) { m_figures.put(settings); }); });
 }
 
 void WindowSettings::restore(const Result<Settings> &stored) {
@@ -26,6 +31,7 @@ void WindowSettings::restore(const Result<Settings> &stored) {
   m_model.snapping().isOn = settings.snapping;
   m_ownLessons.setFolders(settings.ownLessons);
   m_flatPicture.setChecked(settings.flatPicture);
+  m_figures.take(settings);
   m_layout.takePanels(settings);
 }
 
@@ -37,6 +43,7 @@ void WindowSettings::store() {
   settings.snapping = m_model.snapping().isOn;
   settings.ownLessons = m_ownLessons.folders();
   settings.flatPicture = m_flatPicture.isChecked();
+  m_figures.put(settings);
   m_layout.put(settings);
   const auto stored = readSettings(settingsFile());
   auto problem = stored ? std::nullopt : m_putAside.add(stored.problem());
@@ -47,11 +54,11 @@ void WindowSettings::store() {
     printError(problem->text());
 }
 
-void WindowSettings::storeLook() {
+void WindowSettings::storeAtOnce(const std::function<void(Settings &)> &put) {
   auto settings = readSettings(settingsFile());
   if (!settings)
     return; // it is put aside at the end, and written anew
-  m_look.putTheme(*settings);
+  put(*settings);
   if (const auto problem = writeSettings(*settings, settingsFile()))
     printError(problem->text());
 }

@@ -5,10 +5,13 @@
 #include "app/work/put_aside.h"
 #include "widgets/session_model.h"
 
+#include <functional>
+
 class QAction;
 
 namespace halfspace {
 
+class FigureExport;
 class OwnLessonFolders;
 class WindowLayout;
 class WindowLook;
@@ -19,7 +22,7 @@ class WindowSettings : public QObject {
 public:
   /// `flatPicture` is checked while the flat picture is unfolded. All must outlive it.
   WindowSettings(SessionModel &model, WindowLook &look, WindowLayout &layout, OwnLessonFolders &ownLessons,
-                 QAction &flatPicture, PutAsideFiles &putAside);
+                 QAction &flatPicture, FigureExport &figures, PutAsideFiles &putAside);
 
   /// What was read at the start; a file that cannot be read is put aside.
   void restore(const Result<Settings> &stored);
@@ -27,14 +30,15 @@ public:
   void store();
 
 private:
-  /// The theme and the size of type are stored as soon as they are chosen.
-  void storeLook();
+  /// The theme, the size of type and what is chosen of figures are stored as soon as they are chosen.
+  void storeAtOnce(const std::function<void(Settings &)> &put);
 
   SessionModel &m_model;
   WindowLook &m_look;
   WindowLayout &m_layout;
   OwnLessonFolders &m_ownLessons;
   QAction &m_flatPicture;
+  FigureExport &m_figures;
   PutAsideFiles &m_putAside;
 };
 

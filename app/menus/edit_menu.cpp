@@ -1,5 +1,7 @@
 #include "app/menus/edit_menu.h"
 
+#include "app/export/figure_export.h"
+#include "app/export/scene_paste.h"
 #include "app/menus/add_item.h"
 #include "app/step/fresh_start.h"
 #include "app/work/scene_meshes.h"
@@ -33,12 +35,14 @@ QAction *addHistoryItem(QMenu &menu, const QString &name, const QString &nameOfW
 } // namespace
 
 EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
-                   const WorkingCopy &working, QWidget *parent)
+                   const WorkingCopy &working, FigureExport &figures, ScenePaste &paste, QWidget *parent)
     : QMenu(tr("&Edit"), parent) {
   addHistory(model.history());
   addSeparator();
   addItem(*this, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [&freshStart] { freshStart.startOver(); });
+  addItem(*this, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), &figures, &FigureExport::copy);
   addCopyMenu(working);
+  addItem(*this, tr("&Paste Scene"), QKeySequence::Paste, &paste, &ScenePaste::paste);
   addCornerItems(scene);
   addMeshItems(meshes, scene.handles());
   addSnapMenu(model.snapping());

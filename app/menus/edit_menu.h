@@ -1,11 +1,14 @@
-// Edit: the history, a fresh start, the working to take elsewhere, corners, meshes, and what is snapped to.
+// Edit: the history, a fresh start, what goes to the clipboard and comes from there, corners, meshes, and
+// what is snapped to.
 #pragma once
 
 #include <QMenu>
 
 namespace halfspace {
 
+class FigureExport;
 class FreshStart;
+class ScenePaste;
 class SceneMeshes;
 class SceneHandles;
 class SceneView;
@@ -19,7 +22,7 @@ class EditMenu : public QMenu {
 public:
   /// All must outlive it.
   EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
-           const WorkingCopy &working, QWidget *parent);
+           const WorkingCopy &working, FigureExport &figures, ScenePaste &paste, QWidget *parent);
 
 private:
   void addHistory(SessionHistory &history);

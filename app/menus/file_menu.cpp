@@ -1,16 +1,16 @@
 #include "app/menus/file_menu.h"
 
+#include "app/export/figure_export.h"
 #include "app/menus/add_item.h"
 #include "app/work/animation_export.h"
 #include "app/work/handout_export.h"
 #include "app/work/leftover_work.h"
-#include "app/work/picture_export.h"
 #include "app/work/scene_meshes.h"
 #include "app/work/session_files.h"
 
 namespace halfspace {
 
-FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
+FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, FigureExport &figures,
                    HandoutExport &handouts, AnimationExport &animations, QWidget *parent)
     : QMenu(tr("&File"), parent) {
   addItem(*this, tr("&Open…"), QKeySequence::Open, &files, &SessionFiles::askAndOpen);
@@ -21,8 +21,7 @@ FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &lefto
   unsaved.setObjectName("unsavedWork");
   connect(&unsaved, &QMenu::aboutToShow, &leftovers, [&leftovers, &unsaved] { leftovers.fillMenu(unsaved); });
   addSeparator();
-  addItem(*this, tr("Save &Picture…"), QKeySequence("Ctrl+E"), &pictures, &PictureExport::askAndSave);
-  addItem(*this, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), &pictures, &PictureExport::copy);
+  addItem(*this, tr("&Export Figure…"), QKeySequence("Ctrl+E"), &figures, &FigureExport::open);
   addItem(*this, tr("Save &Handout…"), QKeySequence("Ctrl+Shift+E"), &handouts, &HandoutExport::askAndSave);
   addItem(*this, tr("Save A&nimation…"), QKeySequence("Ctrl+Shift+A"), &animations,
           &AnimationExport::askAndSave);

@@ -1,4 +1,4 @@
-// File: sessions, meshes, pictures, animations.
+// File: sessions, meshes, figures, handouts, animations.
 #pragma once
 
 #include <QMenu>
@@ -6,9 +6,9 @@
 namespace halfspace {
 
 class AnimationExport;
+class FigureExport;
 class HandoutExport;
 class LeftoverWork;
-class PictureExport;
 class SceneMeshes;
 class SessionFiles;
 
@@ -16,7 +16,7 @@ class FileMenu : public QMenu {
   Q_OBJECT
 public:
   /// All must outlive it.
-  FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
+  FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, FigureExport &figures,
            HandoutExport &handouts, AnimationExport &animations, QWidget *parent);
 
 signals:

@@ -5,8 +5,8 @@
 namespace halfspace {
 
 QString askWhereToSave(QWidget &window, const QString &title, const QString &filter, const QString &name,
-                       const QString &suffix) {
-  QFileDialog dialog(&window, title, {}, filter);
+                       const QString &suffix, const QString &folder) {
+  QFileDialog dialog(&window, title, folder, filter);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(suffix);
   dialog.selectFile(name + "." + suffix);

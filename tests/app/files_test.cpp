@@ -1,12 +1,13 @@
 // What the window does with files: sessions and lessons that are opened and dropped, folders of lessons,
 // settings and progress that cannot be read.
 #include "app/application.h"
+#include "app/export/export_window.h"
+#include "app/export/figure_export.h"
 #include "app/library/own_lesson_folders.h"
 #include "app/standard_streams.h"
 #include "app/work/handout_dialog.h"
 #include "app/work/handout_export.h"
 #include "app/work/known_file.h"
-#include "app/work/picture_export.h"
 #include "lessons/scene/file/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/carriers/qr/qr_code.h"
@@ -168,7 +169,9 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    QVERIFY(fixture.window.findChild<PictureExport *>()->saveTo(file));
+    fixture.window.findChild<FigureExport *>()->open();
+    fixture.window.findChild<ExportWindow *>()->saveTo(file);
+    QTRY_VERIFY(QFile::exists(file));
     WindowFixture other("ray-sphere");
     QVERIFY(other.ready);
     drop(other.window, file);

@@ -1,5 +1,7 @@
 // The window in a language that nobody speaks: nothing in it is English, nothing has a decimal point, and
 // nothing is cut off, though all words are a third longer.
+#include "app/export/export_window.h"
+#include "app/export/figure_export.h"
 #include "app/user_language.h"
 #include "tests/app/window_fixture.h"
 #include "tests/lessons/lesson/pseudo_lesson.h"
@@ -15,10 +17,12 @@
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QTemporaryDir>
 #include <QTextDocumentFragment>
 #include <QTimer>
 #include <QtTest>
@@ -59,6 +63,8 @@ QStringList textsOf(QWidget &widget) {
     texts << label->text();
   if (const auto *field = qobject_cast<QLineEdit *>(&widget))
     texts << field->placeholderText() << field->text();
+  if (const auto *combo = qobject_cast<QComboBox *>(&widget))
+    texts << textsOf(*combo->model());
   if (const auto *view = qobject_cast<QAbstractItemView *>(&widget); view && view->model())
     texts << textsOf(*view->model());
   for (const QAction *action : widget.actions())
@@ -183,6 +189,28 @@ private slots:
       look(QString("typed ") + typed);
     }
     field->drop();
+  }
+
+  void exportWindow_ofEachFormat() {
+    model().openLesson("reflection");
+    m_fixture->window.findChild<FigureExport *>()->open();
+    auto &window = *m_fixture->window.findChild<ExportWindow *>();
+    QSignalSpy previewed(&window, &ExportWindow::previewed);
+    auto &formats = *window.findChild<QComboBox *>("format");
+    for (int format = 0; format < formats.count(); ++format) {
+      formats.setCurrentIndex(format);
+      QVERIFY(previewed.wait());
+      look("export as " + formats.currentText());
+    }
+    const QTemporaryDir folder;
+    window.saveTo(folder.filePath("figure.svg"));
+    auto &message = *window.findChild<QLabel *>("exportMessage");
+    QTRY_VERIFY(message.text().contains("figure.svg"));
+    look("exported");
+    window.saveTo("/nowhere/figure.svg");
+    QTRY_VERIFY(message.text().contains("/nowhere"));
+    look("not exported");
+    window.close();
   }
 
   void dialogs_ofTheHelpMenu() {

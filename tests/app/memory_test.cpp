@@ -1,7 +1,7 @@
 // Resident memory of the window in long use. A program of its own: what other tests leave would be counted
 // too.
+#include "app/export/figure_export.h"
 #include "app/memory.h"
-#include "app/work/picture_export.h"
 #include "tests/app/window_fixture.h"
 
 #include <QFile>
@@ -23,7 +23,7 @@ double residentMemory() {
 void resizeAndCopy(WindowFixture &fixture, QSize size) {
   fixture.window.resize(size);
   QTest::qWait(300); // the view rests and is drawn smoothly
-  fixture.window.findChild<PictureExport *>()->copy();
+  fixture.window.findChild<FigureExport *>()->copy();
 }
 
 } // namespace

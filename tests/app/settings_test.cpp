@@ -53,6 +53,18 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   settings.flatPicture = false;
   settings.panels = "panels";
   settings.split = QByteArray("\xFF\0split", 7);
+  settings.figure.ending = ".svg";
+  settings.figure.isOnPaper = false;
+  settings.figure.paper = {200, 8.5, 600};
+  settings.figure.pixelsAcross = 1000;
+  settings.figure.isCropped = true;
+  settings.figure.theme = "dark";
+  settings.figure.isTransparent = true;
+  settings.figure.hidden = HiddenLines::Paler;
+  settings.figure.text = TextAs::Letters;
+  settings.figure.isFlat = true;
+  settings.figure.carriesSession = false;
+  settings.figureFolder = "/somewhere/figures";
   ASSERT_FALSE(writeSettings(settings, file));
   auto again = readSettings(file);
   ASSERT_TRUE(again) << again.problem().text();
@@ -101,6 +113,17 @@ TEST_F(SettingsFile, WithASnapStepThatIsNone_KeepsTheUsualOne) {
   for (const char *step : {"0", "\"0\"", "\"-1/2\"", "\"1/0\"", "\"fine\"", "null", "[1]"})
     EXPECT_EQ(readFrom(R"({"snapStep":)" + QByteArray(step) + "}"), Settings()) << step;
   EXPECT_EQ(readFrom(R"({"snapStep":"1/10"})").snapStep, Rational(1, 10));
+}
+
+TEST_F(SettingsFile, WithChoicesOfFiguresThatAreNone_KeepsTheUsualOnes) {
+  for (const char *choices :
+       {R"(7)", R"({"ending": ".doc"})", R"({"ending": ""})", R"({"width": 1e9, "typeSize": "9"})",
+        R"({"pixelsPerInch": 0, "pixelsAcross": 1e12})", R"({"pixelsAcross": -5})", R"({"theme": "mauve"})",
+        R"({"hidden": "here", "text": 3, "cropped": "no", "session": null})"})
+    EXPECT_EQ(readFrom(R"({"figure":)" + QByteArray(choices) + "}"), Settings()) << choices;
+  const Settings narrow = readFrom(R"({"figure":{"width":30,"typeSize":72}})"); // no room for such type
+  EXPECT_EQ(narrow.figure.paper.width, 30);
+  EXPECT_EQ(narrow.figure.paper.typeSize, 3);
 }
 
 TEST_F(SettingsFile, OfAnOlderProgram_HasItsOneFolderOfLessons) {

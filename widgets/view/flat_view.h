@@ -28,6 +28,8 @@ public:
 
   /// Whether the open lesson has a flat picture, and its scene what that is made of.
   [[nodiscard]] bool hasPicture() const { return m_picture.has_value(); }
+  /// Nothing where it has none.
+  [[nodiscard]] const std::optional<FlatPicture> &picture() const { return m_picture; }
   /// Checked while the picture is unfolded.
   [[nodiscard]] QAction &unfolded() { return *m_unfolded; }
   /// What it takes of so much room.

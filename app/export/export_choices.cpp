@@ -1,0 +1,102 @@
+#include "app/export/export_choices.h"
+
+#include "app/figures/figure_words.h"
+#include "widgets/scene/offscreen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// That of files with an ending; null for none of them.
+const FigureFormat *formatWith(const std::string &ending) {
+  const auto &formats = figureFormats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const FigureFormat &format) { return format.ending == ending; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+/// Takes over a number that lies within its limits.
+void take(double &value, const QJsonValue &json, double least, double most) {
+  const double number = json.toDouble(value);
+  if (number >= least && number <= most)
+    value = number;
+}
+
+template <class Meaning, std::size_t count>
+void take(Meaning &value, const QJsonValue &json,
+          const std::array<std::pair<const char *, Meaning>, count> &wordList) {
+  value = meant(wordList, json.toString().toStdString()).value_or(value);
+}
+
+PaperSize paperSizeIn(const QJsonObject &json) {
+  PaperSize size;
+  take(size.width, json["width"], leastWidth, mostWidth);
+  take(size.typeSize, json["typeSize"], leastType, mostType);
+  take(size.pixelsPerInch, json["pixelsPerInch"], leastPixelsPerInch, mostPixelsPerInch);
+  size.typeSize = std::min(size.typeSize, size.width * mostTypePerWidth);
+  return size;
+}
+
+} // namespace
+
+const FigureFormat &ExportChoices::format() const { return *formatWith(ending); }
+
+FigureChoices figureChoicesOf(const ExportChoices &choices, PixelSize screen, double designRatio) {
+  FigureChoices figure;
+  figure.format = &choices.format();
+  if (choices.isOnPaper || figure.format->vectors) {
+    figure.size = screen;
+    figure.paper = choices.paper;
+  } else {
+    const double finer = static_cast<double>(choices.pixelsAcross) / screen.width;
+    figure.size = {choices.pixelsAcross, std::max(1, static_cast<int>(std::lround(screen.height * finer)))};
+    figure.pixelRatio = designRatio * finer;
+  }
+  figure.isCropped = choices.isCropped;
+  figure.theme = *findTheme(choices.theme);
+  figure.isTransparent = choices.isTransparent;
+  figure.hidden = choices.hidden;
+  figure.text = choices.text;
+  return figure;
+}
+
+QJsonObject toJson(const ExportChoices &choices) {
+  return {{"ending", QString::fromStdString(choices.ending)},
+          {"onPaper", choices.isOnPaper},
+          {"width", choices.paper.width},
+          {"typeSize", choices.paper.typeSize},
+          {"pixelsPerInch", choices.paper.pixelsPerInch},
+          {"pixelsAcross", choices.pixelsAcross},
+          {"cropped", choices.isCropped},
+          {"theme", QString::fromStdString(choices.theme)},
+          {"transparent", choices.isTransparent},
+          {"hidden", wordFor(hiddenWords, choices.hidden)},
+          {"text", wordFor(textWords, choices.text)},
+          {"flat", choices.isFlat},
+          {"session", choices.carriesSession}};
+}
+
+ExportChoices exportChoicesIn(const QJsonObject &json) {
+  ExportChoices choices;
+  if (const FigureFormat *format = formatWith(json["ending"].toString().toStdString()))
+    choices.ending = format->ending;
+  choices.isOnPaper = json["onPaper"].toBool(choices.isOnPaper);
+  choices.paper = paperSizeIn(json);
+  double pixelsAcross = choices.pixelsAcross;
+  take(pixelsAcross, json["pixelsAcross"], leastPixelsAcross, maxPictureSide);
+  choices.pixelsAcross = static_cast<int>(pixelsAcross);
+  choices.isCropped = json["cropped"].toBool(choices.isCropped);
+  const std::string theme = json["theme"].toString().toStdString();
+  if (findTheme(theme))
+    choices.theme = theme;
+  choices.isTransparent = json["transparent"].toBool(choices.isTransparent);
+  take(choices.hidden, json["hidden"], hiddenWords);
+  take(choices.text, json["text"], textWords);
+  choices.isFlat = json["flat"].toBool(choices.isFlat);
+  choices.carriesSession = json["session"].toBool(choices.carriesSession);
+  return choices;
+}
+
+} // namespace halfspace

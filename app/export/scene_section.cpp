@@ -1,0 +1,52 @@
+#include "app/export/scene_section.h"
+
+#include "widgets/carriers/carrier.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// Null for a format that carries none.
+const Carrier *carrierWith(const std::string &ending) {
+  const auto found = std::find_if(carriers().begin(), carriers().end(),
+                                  [&](const Carrier &carrier) { return carrier.ending == ending; });
+  return found == carriers().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+SceneSection::SceneSection()
+    : ExportSection(tr("Scene")), m_carriesSession(new QCheckBox(tr("File can be &opened again"))),
+      m_note(new QLabel) {
+  m_carriesSession->setObjectName("session");
+  m_note->setObjectName("sessionNote");
+  m_note->setWordWrap(true);
+  form().addRow(m_carriesSession);
+  form().addRow(m_note);
+  connect(m_carriesSession, &QCheckBox::toggled, this, &SceneSection::changed);
+}
+
+void SceneSection::fill(const ExportChoices &choices) {
+  m_carriesSession->setChecked(choices.carriesSession);
+}
+
+void SceneSection::enableFor(const ExportChoices &choices) {
+  const Carrier *carrier = carrierWith(choices.ending);
+  m_carriesSession->setEnabled(carrier);
+  m_note->setText(!carrier ? tr("A file of this format carries no scene.")
+                  : choices.carriesSession
+                      ? QString::fromStdString(carrier->lostBy())
+                      : tr("The file shows the figure, and does not tell how to make it."));
+  m_carriesSession->setAccessibleDescription(m_note->text());
+}
+
+void SceneSection::put(ExportChoices &choices) const {
+  choices.carriesSession = m_carriesSession->isChecked();
+}
+
+} // namespace halfspace
