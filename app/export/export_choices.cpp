@@ -59,6 +59,7 @@ FigureChoices figureChoicesOf(const ExportChoices &choices, PixelSize screen, do
   figure.isTransparent = choices.isTransparent;
   figure.hidden = choices.hidden;
   figure.text = choices.text;
+  figure.hasCode = choices.hasCode;
   return figure;
 }
 
@@ -75,7 +76,8 @@ QJsonObject toJson(const ExportChoices &choices) {
           {"hidden", wordFor(hiddenWords, choices.hidden)},
           {"text", wordFor(textWords, choices.text)},
           {"flat", choices.isFlat},
-          {"session", choices.carriesSession}};
+          {"session", choices.carriesSession},
+          {"code", choices.hasCode}};
 }
 
 ExportChoices exportChoicesIn(const QJsonObject &json) {
@@ -96,6 +98,7 @@ ExportChoices exportChoicesIn(const QJsonObject &json) {
   take(choices.text, json["text"], textWords);
   choices.isFlat = json["flat"].toBool(choices.isFlat);
   choices.carriesSession = json["session"].toBool(choices.carriesSession);
+  choices.hasCode = json["code"].toBool(choices.hasCode);
   return choices;
 }
 

@@ -22,6 +22,7 @@ struct ExportChoices {
   TextAs text = TextAs::Shapes;
   bool isFlat = false; ///< the flat picture, where the lesson has one
   bool carriesSession = true;
+  bool hasCode = false; ///< a QR code with the session beside it
   bool operator==(const ExportChoices &) const = default;
 
   [[nodiscard]] const FigureFormat &format() const;

@@ -1,6 +1,8 @@
 #include "app/export/preview_figure.h"
 
 #include "app/figures/paint_drawing.h"
+#include "widgets/colors.h"
+#include "widgets/exports/qr_beside.h"
 #include "widgets/typeset/label_painter.h"
 
 #include <QPainter>
@@ -12,6 +14,7 @@ namespace halfspace {
 namespace {
 
 constexpr double pointsPerInch = 72;
+constexpr double millimetresPerInch = 25.4;
 /// No screen shows more of a preview at a time.
 constexpr double mostAcross = 4096;
 
@@ -55,39 +58,91 @@ FigureExtent pixelExtent(glm::dvec2 page, const FigureChoices &choices) {
   return extent;
 }
 
+/// A pixel for each module, those of the quiet zone too.
+QImage toImage(const QrCode &code) {
+  const int side = code.side + 2 * quietModules;
+  QImage image(side, side, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  for (int row = 0; row < code.side; ++row)
+    for (int column = 0; column < code.side; ++column)
+      if (code.isDark(column, row))
+        image.setPixelColor(column + quietModules, row + quietModules, Qt::black);
+  return image;
+}
+
+QImage emptyImage(glm::dvec2 size, const QColor &ground) {
+  QImage image(std::max(1, static_cast<int>(std::lround(size.x))),
+               std::max(1, static_cast<int>(std::lround(size.y))), QImage::Format_ARGB32_Premultiplied);
+  image.fill(ground);
+  return image;
+}
+
+/// A page with a figure, and maybe with the code beside it, in the units of its file: points or pixels.
+class PreviewPage {
+public:
+  /// `module`: the side of a module of the code.
+  PreviewPage(glm::dvec2 figure, const std::optional<QrCode> &code, double module)
+      : m_figure(figure), m_code(code), m_side(code ? module * (code->side + 2 * quietModules) : 0) {}
+
+  [[nodiscard]] glm::dvec2 size() const { return {m_figure.x + m_side, std::max(m_figure.y, m_side)}; }
+  /// All of it, so many times as large, with the figure as it was drawn.
+  [[nodiscard]] QImage painted(const QImage &figure, double factor, const QColor &ground) const {
+    if (!m_code)
+      return figure;
+    QImage page = emptyImage(size() * factor, ground);
+    QPainter painter(&page); // which paints nothing where there is no memory for it
+    painter.drawImage(0, 0, figure);
+    const glm::dvec2 corner = glm::dvec2(m_figure.x, size().y - m_side) * factor;
+    painter.drawImage(QRectF(corner.x, corner.y, m_side * factor, m_side * factor), toImage(*m_code));
+    return page;
+  }
+
+private:
+  glm::dvec2 m_figure;
+  const std::optional<QrCode> &m_code;
+  double m_side; ///< of the code with its quiet zone
+};
+
 Result<FigurePreview> pixelPreview(FigureMaker &maker, const FigureSubject &subject,
-                                   const FigureChoices &choices, const PreviewRoom &room) {
-  const glm::dvec2 page = maker.framingOf(subject, choices).page.extent();
-  const auto picture = maker.picture(subject, finer(choices, pixelFactor(page, choices, room)));
+                                   const FigureChoices &choices, const std::optional<QrCode> &code,
+                                   const PreviewRoom &room) {
+  const PreviewPage page(maker.framingOf(subject, choices).page.extent(), code,
+                         modulePixels(choices.pixelsPerInch()));
+  const double factor = pixelFactor(page.size(), choices, room);
+  const auto picture = maker.picture(subject, finer(choices, factor));
   if (!picture)
     return picture.problem();
-  return FigurePreview{toImage(*picture), pixelExtent(page, choices), picture->leavesOutSurfaces};
+  const QColor ground =
+      choices.isTransparent ? QColor(Qt::transparent) : toQColor(choices.theme.backgroundBottom);
+  return FigurePreview{page.painted(toImage(*picture), factor, ground), pixelExtent(page.size(), choices),
+                       picture->leavesOutSurfaces};
 }
 
 FigurePreview vectorPreview(FigureStudio &studio, const FigureSubject &subject, const FigureChoices &choices,
-                            const PreviewRoom &room) {
+                            const std::optional<QrCode> &code, const PreviewRoom &room) {
   const Drawing drawing = studio.maker.drawing(subject, choices);
-  const double factor =
-      bounded(room.pixelsPerInch ? *room.pixelsPerInch / pointsPerInch : fitOf(drawing.size, room.size),
-              drawing.size);
-  QImage image(std::max(1, static_cast<int>(std::lround(drawing.size.x * factor))),
-               std::max(1, static_cast<int>(std::lround(drawing.size.y * factor))),
-               QImage::Format_ARGB32_Premultiplied);
-  image.fill(Qt::transparent);
-  QPainter painter(&image); // which paints nothing where there is no memory for it
+  const PreviewPage page(drawing.size, code, moduleMillimetres / millimetresPerInch * pointsPerInch);
+  const double factor = bounded(
+      room.pixelsPerInch ? *room.pixelsPerInch / pointsPerInch : fitOf(page.size(), room.size), page.size());
+  QImage figure = emptyImage(drawing.size * factor, Qt::transparent);
+  QPainter painter(&figure);
   painter.scale(factor, factor);
   paintDrawing(painter, drawing, studio.typesetter.fonts());
   painter.end();
-  return {image, {drawing.size, {}}, drawing.leavesOutSurfaces};
+  const QColor ground = drawing.ground ? toQColor(*drawing.ground) : QColor(Qt::transparent);
+  return {page.painted(figure, factor, ground), {page.size(), {}}, drawing.leavesOutSurfaces};
 }
 
 } // namespace
 
 Result<FigurePreview> previewOf(FigureStudio &studio, const FigureSubject &subject,
                                 const FigureChoices &choices, const PreviewRoom &room) {
+  const auto code = codeBeside(subject, choices);
+  if (!code)
+    return code.problem();
   if (choices.format->vectors)
-    return vectorPreview(studio, subject, choices, room);
-  return pixelPreview(studio.maker, subject, choices, room);
+    return vectorPreview(studio, subject, choices, *code, room);
+  return pixelPreview(studio.maker, subject, choices, *code, room);
 }
 
 } // namespace halfspace

@@ -19,6 +19,7 @@ public:
 
 private:
   QCheckBox *m_carriesSession;
+  QCheckBox *m_code;
   QLabel *m_note; ///< what loses it
 };
 

@@ -34,14 +34,6 @@ RgbaImage partOf(const RgbaImage &picture, const PixelBox &box) {
   return part;
 }
 
-/// The code beside a figure; nothing where there is to be none.
-Result<std::optional<QrCode>> codeOf(const FigureSubject &subject, const FigureChoices &choices) {
-  if (!choices.hasCode || subject.session.empty())
-    return std::optional<QrCode>();
-  auto code = qrCodeOf(subject.session);
-  return code ? Result(std::optional(std::move(*code))) : code.problem();
-}
-
 RgbaImage withCode(const RgbaImage &picture, const QrCode &code, const FigureChoices &choices) {
   const auto ground = choices.isTransparent ? std::nullopt : std::optional(choices.theme.backgroundBottom);
   return withQrCode(picture, code, choices.pixelsPerInch(), ground);
@@ -77,12 +69,19 @@ std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const
 
 } // namespace
 
+Result<std::optional<QrCode>> codeBeside(const FigureSubject &subject, const FigureChoices &choices) {
+  if (!choices.hasCode || subject.session.empty())
+    return std::optional<QrCode>();
+  auto code = qrCodeOf(subject.session);
+  return code ? Result(std::optional(std::move(*code))) : code.problem();
+}
+
 FigureMaker::FigureMaker(const Typesetter &typesetter)
     : m_typesetter(typesetter), m_set(labelSetter(typesetter.fonts())), m_composer(m_set),
       m_painter(labelSetter(typesetter.fonts()), labelPainter(typesetter)) {}
 
 Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureChoices &choices) {
-  const auto code = codeOf(subject, choices);
+  const auto code = codeBeside(subject, choices);
   if (!code)
     return code.problem();
   FigureFile file;

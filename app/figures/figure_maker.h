@@ -4,6 +4,7 @@
 #include "app/figures/figure_choices.h"
 #include "app/figures/framing.h"
 #include "lessons/result.h"
+#include "widgets/carriers/qr/qr_code.h"
 #include "widgets/picture/composer.h"
 #include "widgets/picture/flat_picture.h"
 #include "widgets/scene/offscreen.h"
@@ -34,6 +35,10 @@ struct FigureFile {
   bool leavesOutSurfaces = false; ///< as `ShapeList` has it
 };
 
+/// The code beside a figure; nothing where there is to be none. A sentence where its session is too long.
+[[nodiscard]] Result<std::optional<QrCode>> codeBeside(const FigureSubject &subject,
+                                                       const FigureChoices &choices);
+
 /// Makes one figure after the other; what takes time to be opened serves for all of them. No figure depends
 /// on those before it.
 class FigureMaker {
@@ -44,7 +49,7 @@ public:
   /// Fails with a sentence where pictures cannot be drawn here, or not as large.
   [[nodiscard]] Result<FigureFile> file(const FigureSubject &subject, const FigureChoices &choices);
 
-  /// A figure of pixels, whatever the chosen format.
+  /// A figure of pixels, whatever the chosen format, without its code.
   [[nodiscard]] Result<DrawnPicture> picture(const FigureSubject &subject, const FigureChoices &choices);
   /// A figure of vectors, likewise; not yet described.
   [[nodiscard]] Drawing drawing(const FigureSubject &subject, const FigureChoices &choices);

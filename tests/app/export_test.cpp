@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -64,6 +65,16 @@ public:
 private:
   QTemporaryDir m_folder;
 };
+
+/// A PNG file of a picture's pixels, without what else its file held.
+QByteArray pixelsAlone(const QImage &picture) {
+  QImage pixels(picture.size(), QImage::Format_RGB32);
+  QPainter painter(&pixels);
+  painter.drawImage(0, 0, picture);
+  painter.end();
+  QBuffer file;
+  return file.open(QIODevice::WriteOnly) && pixels.save(&file, "PNG") ? file.data() : QByteArray();
+}
 
 /// Answers the next message box.
 class BoxAnswerer {
@@ -202,6 +213,27 @@ private slots:
     const QByteArray flat = fixture.saved(".svg");
     QVERIFY(!flat.isEmpty() && flat != inSpace);
     QVERIFY(!flat.contains("class=\"hidden\""));
+  }
+
+  void code_besideTheFigure_isInTheFileAndThePreview_andReadFromItsPixels() {
+    ExportFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const QImage without = QImage::fromData(fixture.saved());
+    auto &pane = *fixture.exports().findChild<PreviewPane *>();
+    const QSize before = pane.widget()->sizeHint();
+    QSignalSpy previewed(&fixture.exports(), &ExportWindow::previewed);
+    fixture.field<QCheckBox>("code").click();
+    QVERIFY(previewed.wait(patience));
+    const QSize after = pane.widget()->sizeHint();
+    const QImage with = QImage::fromData(fixture.saved());
+    QVERIFY(with.width() > without.width());
+    QVERIFY(double(after.width()) / after.height() > double(before.width()) / before.height());
+    const auto found = findSessionIn(pixelsAlone(with).toStdString(), "");
+    QVERIFY2(found, found ? "" : found.problem().sentence.c_str());
+    QCOMPARE(found->text, writeSession(fixture.model().session()));
+    fixture.field<QCheckBox>("session").click();
+    QVERIFY(!fixture.field<QCheckBox>("code").isEnabled());
+    QCOMPARE(QImage::fromData(fixture.saved()).width(), without.width());
   }
 
   void preview_followsEachChoice_soon() {
@@ -377,10 +409,8 @@ private slots:
     QVERIFY(says("There is no scene on the clipboard."));
     QImage picture(8, 8, QImage::Format_RGB32);
     picture.fill(Qt::white);
-    QBuffer bytes;
-    QVERIFY(bytes.open(QIODevice::WriteOnly) && picture.save(&bytes, "PNG"));
     auto foreign = std::make_unique<QMimeData>();
-    foreign->setData("image/png", bytes.data());
+    foreign->setData("image/png", pixelsAlone(picture));
     QApplication::clipboard()->setMimeData(foreign.release());
     QVERIFY(says("This picture holds no scene of Halfspace."));
     auto broken = std::make_unique<QMimeData>();

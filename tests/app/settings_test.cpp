@@ -64,6 +64,7 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   settings.figure.text = TextAs::Letters;
   settings.figure.isFlat = true;
   settings.figure.carriesSession = false;
+  settings.figure.hasCode = true;
   settings.figureFolder = "/somewhere/figures";
   ASSERT_FALSE(writeSettings(settings, file));
   auto again = readSettings(file);

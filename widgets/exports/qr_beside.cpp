@@ -128,9 +128,13 @@ Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place) {
   return drawing;
 }
 
+int modulePixels(double pixelsPerInch) {
+  return static_cast<int>(std::ceil(moduleMillimetres / millimetresPerInch * pixelsPerInch));
+}
+
 RgbaImage withQrCode(const RgbaImage &image, const QrCode &code, double pixelsPerInch,
                      std::optional<Color> ground, QrPlace place) {
-  const int module = static_cast<int>(std::ceil(moduleMillimetres / millimetresPerInch * pixelsPerInch));
+  const int module = modulePixels(pixelsPerInch);
   const int side = module * (code.side + 2 * quietModules);
   const auto [corner, size] = layOut(glm::ivec2(image.width, image.height), side, place);
   RgbaImage together = plainImage(size, ground);

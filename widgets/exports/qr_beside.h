@@ -15,9 +15,12 @@ enum class QrPlace { RightOfFigure, BelowFigure };
 /// that tells of it. The code is black on white, whatever the page is painted with.
 [[nodiscard]] Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place = QrPlace::RightOfFigure);
 
-/// The image with a code. Its modules are whole pixels wide: as many as make them at least
-/// `moduleMillimetres` at so many pixels an inch, which is above 0. What the image grows by beside the code
-/// has the colour of the ground, or is clear where there is none.
+/// The side of a module in an image of so many pixels an inch, which are above 0: whole pixels, as many as
+/// make it at least `moduleMillimetres`.
+[[nodiscard]] int modulePixels(double pixelsPerInch);
+
+/// The image with a code, whose modules are so many whole pixels wide. What the image grows by beside the
+/// code has the colour of the ground, or is clear where there is none.
 [[nodiscard]] RgbaImage withQrCode(const RgbaImage &image, const QrCode &code, double pixelsPerInch,
                                    std::optional<Color> ground, QrPlace place = QrPlace::RightOfFigure);
 
