@@ -39,6 +39,20 @@ PaperSize paperSizeIn(const QJsonObject &json) {
   return size;
 }
 
+QJsonObject toJson(const ShownParts &shown) {
+  QJsonObject json;
+  for (const auto &[name, part] : shownPartNames)
+    json[QString::fromUtf8(name.data(), static_cast<int>(name.size()))] = shown.*part;
+  return json;
+}
+
+ShownParts shownPartsIn(const QJsonObject &json) {
+  ShownParts shown;
+  for (const auto &[name, part] : shownPartNames)
+    shown.*part = json[QString::fromUtf8(name.data(), static_cast<int>(name.size()))].toBool(shown.*part);
+  return shown;
+}
+
 } // namespace
 
 const FigureFormat &ExportChoices::format() const { return *formatWith(ending); }
@@ -75,6 +89,7 @@ QJsonObject toJson(const ExportChoices &choices) {
           {"transparent", choices.isTransparent},
           {"hidden", wordFor(hiddenWords, choices.hidden)},
           {"text", wordFor(textWords, choices.text)},
+          {"shown", toJson(choices.shown)},
           {"flat", choices.isFlat},
           {"session", choices.carriesSession},
           {"code", choices.hasCode}};
@@ -96,6 +111,7 @@ ExportChoices exportChoicesIn(const QJsonObject &json) {
   choices.isTransparent = json["transparent"].toBool(choices.isTransparent);
   take(choices.hidden, json["hidden"], hiddenWords);
   take(choices.text, json["text"], textWords);
+  choices.shown = shownPartsIn(json["shown"].toObject());
   choices.isFlat = json["flat"].toBool(choices.isFlat);
   choices.carriesSession = json["session"].toBool(choices.carriesSession);
   choices.hasCode = json["code"].toBool(choices.hasCode);

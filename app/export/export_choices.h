@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/figures/figure_choices.h"
+#include "widgets/picture/shown_parts.h"
 
 #include <QJsonObject>
 
@@ -20,6 +21,7 @@ struct ExportChoices {
   bool isTransparent = false;
   HiddenLines hidden = HiddenLines::Dashed;
   TextAs text = TextAs::Shapes;
+  ShownParts shown{};
   bool isFlat = false; ///< the flat picture, where the lesson has one
   bool carriesSession = true;
   bool hasCode = false; ///< a QR code with the session beside it

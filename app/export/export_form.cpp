@@ -2,6 +2,7 @@
 
 #include "app/export/file_section.h"
 #include "app/export/look_section.h"
+#include "app/export/parts_section.h"
 #include "app/export/scene_section.h"
 
 #include <QScrollBar>
@@ -17,7 +18,8 @@ constexpr double linesBetweenSections = 0.8;
 } // namespace
 
 ExportForm::ExportForm(bool hasFlat, QWidget *parent)
-    : QScrollArea(parent), m_sections{new FileSection, new LookSection(hasFlat), new SceneSection} {
+    : QScrollArea(parent), m_sections{new FileSection, new LookSection(hasFlat), new PartsSection(hasFlat),
+                                      new SceneSection} {
   auto *page = new QWidget;
   auto *column = new QVBoxLayout(page);
   for (ExportSection *section : m_sections) {

@@ -1,6 +1,7 @@
 #include "app/export/export_window.h"
 
 #include "app/export/export_form.h"
+#include "app/export/preview_labels.h"
 #include "app/export/preview_pane.h"
 #include "app/export/size_words.h"
 #include "app/work/save_dialog.h"
@@ -8,6 +9,7 @@
 #include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/repolish.h"
 #include "widgets/scene/offscreen.h"
+#include "widgets/session_model.h"
 #include "widgets/speak_by.h"
 
 #include <QApplication>
@@ -16,9 +18,11 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
+#include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -54,11 +58,11 @@ bool isMadeUnasked(const FigureExtent &extent) {
 
 } // namespace
 
-ExportWindow::ExportWindow(const WindowFigure &figure, const ExportChoices &choices, QString folder,
-                           QWidget *parent)
+ExportWindow::ExportWindow(SessionModel &model, const WindowFigure &figure, const ExportChoices &choices,
+                           QString folder, QWidget *parent)
     : QDialog(parent), m_figure(figure), m_folder(std::move(folder)),
-      m_form(new ExportForm(figure.hasFlat(), this)), m_pane(new PreviewPane(this)), m_size(new QLabel),
-      m_message(new QLabel) {
+      m_form(new ExportForm(figure.hasFlat(), this)), m_pane(new PreviewPane(this)),
+      m_labels(new PreviewLabels(model, *m_pane, this)), m_size(new QLabel), m_message(new QLabel) {
   setObjectName("export");
   setWindowTitle(tr("Export Figure"));
   m_rest.setSingleShot(true);
@@ -67,6 +71,7 @@ ExportWindow::ExportWindow(const WindowFigure &figure, const ExportChoices &choi
   m_form->fill(choices);
   connect(m_form, &ExportForm::changed, this, &ExportWindow::takeChoices);
   connect(m_pane, &PreviewPane::roomChanged, this, &ExportWindow::askForPreview);
+  followLabels(model);
   connect(&m_rest, &QTimer::timeout, this, [this] { askForFile(); });
   resize(usualSize(*this));
 }
@@ -116,12 +121,28 @@ QBoxLayout *ExportWindow::previewColumn() {
             [this, isActual = isActual] { m_pane->setActualSize(isActual); });
   }
   sizes->buttons().first()->setChecked(true);
+  auto *labels = new QToolButton;
+  labels->setObjectName("labelsMenu");
+  labels->setText(tr("Indi&vidual labels"));
+  labels->setToolTip(tr("Labels can be dragged in the preview, and hidden with a right click or Delete."));
+  labels->setAutoRaise(true);
+  labels->setFocusPolicy(Qt::StrongFocus);
+  labels->setPopupMode(QToolButton::InstantPopup);
+  labels->setMenu(new QMenu(labels));
+  connect(labels->menu(), &QMenu::aboutToShow, this, [this, labels] { m_labels->fillMenu(*labels->menu()); });
+  below->addWidget(labels);
   below->addStretch(1);
   below->addWidget(m_size);
   auto *column = new QVBoxLayout;
   column->addWidget(m_pane, 1);
   column->addLayout(below);
   return column;
+}
+
+void ExportWindow::followLabels(SessionModel &model) {
+  connect(&model, &SessionModel::outcomeChanged, this, &ExportWindow::askForPreview);
+  auto *undo = new QShortcut(QKeySequence::Undo, this);
+  connect(undo, &QShortcut::activated, m_labels, &PreviewLabels::undo);
 }
 
 void ExportWindow::takeChoices() {
@@ -145,13 +166,13 @@ void ExportWindow::takePreview(const Result<FigurePreview> &preview, bool isTran
   if (!preview)
     return complain(QString::fromStdString(preview.problem().sentence));
   m_pane->setPreview(*preview, isTransparent);
+  m_labels->setShapes(preview->shapes);
   if (m_previews.isBusy())
     return; // something else is chosen by now
-  m_extent = preview->extent;
-  m_size->setText(toWords(m_extent));
+  m_size->setText(toWords(preview->extent));
   if (preview->leavesOutSurfaces)
     tell(QString::fromStdString(overfullWords()));
-  if (isMadeUnasked(m_extent))
+  if (isMadeUnasked(preview->extent))
     m_rest.start();
   emit previewed();
 }
@@ -167,7 +188,7 @@ void ExportWindow::askForFile(const QString &saveTo) {
       else if (!figure)
         complain(QString::fromStdString(figure.problem().sentence));
       else if (!m_rest.isActive() && !m_previews.isBusy())
-        m_size->setText(toWords(m_extent, figure->content.size()));
+        m_size->setText(m_size->text() + ", " + bytesInWords(figure->content.size()));
     };
   });
 }
@@ -233,6 +254,7 @@ void ExportWindow::setBusy(bool isBusy) {
 }
 
 void ExportWindow::done(int result) {
+  m_labels->letGo();
   emit settled();
   QDialog::done(result);
 }

@@ -17,15 +17,18 @@ class QPushButton;
 namespace halfspace {
 
 class ExportForm;
+class PreviewLabels;
 class PreviewPane;
+class SessionModel;
 
 /// Choices beside a preview that follows them. All drawing goes on beside the event loop. What goes wrong is
 /// said in the window.
 class ExportWindow : public QDialog {
   Q_OBJECT
 public:
-  /// The figure must outlive it. `folder` is where the last figure went; empty: nowhere yet.
-  ExportWindow(const WindowFigure &figure, const ExportChoices &choices, QString folder, QWidget *parent);
+  /// Model and figure must outlive it. `folder` is where the last figure went; empty: nowhere yet.
+  ExportWindow(SessionModel &model, const WindowFigure &figure, const ExportChoices &choices, QString folder,
+               QWidget *parent);
 
   [[nodiscard]] const ExportChoices &choices() const;
   [[nodiscard]] const QString &folder() const { return m_folder; }
@@ -43,6 +46,7 @@ signals:
 
 private:
   void fill();
+  void followLabels(SessionModel &model);
   [[nodiscard]] QBoxLayout *previewColumn();
   void takeChoices();
   void askForPreview();
@@ -61,11 +65,11 @@ private:
   QString m_folder;
   ExportForm *m_form;
   PreviewPane *m_pane;
+  PreviewLabels *m_labels; ///< in the pane
   QLabel *m_size;
   QLabel *m_message;
   QPushButton *m_save = nullptr;
   QPushButton *m_copy = nullptr;
-  FigureExtent m_extent;       ///< of what is shown
   QTimer m_rest;               ///< nobody has chosen anything for a moment
   FigureWorkshop m_previews{}; ///< ended before the rest of this, as the next
   FigureWorkshop m_files{};

@@ -10,13 +10,13 @@
 
 namespace halfspace {
 
-FigureExport::FigureExport(const SessionModel &model, SceneColumn &scene, Messages messages, QObject *parent)
-    : QObject(parent), m_figure(model, scene.view(), scene.flat()), m_messages(messages) {}
+FigureExport::FigureExport(SessionModel &model, SceneColumn &scene, Messages messages, QObject *parent)
+    : QObject(parent), m_model(model), m_figure(model, scene.view(), scene.flat()), m_messages(messages) {}
 
 void FigureExport::open() {
   if (m_window)
     return m_window->activateWindow();
-  m_window = new ExportWindow(m_figure, m_choices, m_folder, &m_messages.window());
+  m_window = new ExportWindow(m_model, m_figure, m_choices, m_folder, &m_messages.window());
   m_window->setAttribute(Qt::WA_DeleteOnClose);
   connect(m_window, &ExportWindow::settled, this, [this] { takeFrom(*m_window); });
   m_window->open();

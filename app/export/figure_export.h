@@ -18,7 +18,7 @@ class FigureExport : public QObject {
   Q_OBJECT
 public:
   /// Model and scene must outlive it.
-  FigureExport(const SessionModel &model, SceneColumn &scene, Messages messages, QObject *parent);
+  FigureExport(SessionModel &model, SceneColumn &scene, Messages messages, QObject *parent);
 
   /// Shows the export window, with what was chosen last.
   void open();
@@ -35,6 +35,7 @@ signals:
 private:
   void takeFrom(const ExportWindow &window);
 
+  SessionModel &m_model;
   WindowFigure m_figure;
   Messages m_messages;
   ExportChoices m_choices;

@@ -85,6 +85,7 @@ public:
       : m_figure(figure), m_code(code), m_side(code ? module * (code->side + 2 * quietModules) : 0) {}
 
   [[nodiscard]] glm::dvec2 size() const { return {m_figure.x + m_side, std::max(m_figure.y, m_side)}; }
+  [[nodiscard]] glm::dvec2 perFigure() const { return size() / m_figure; }
   /// All of it, so many times as large, with the figure as it was drawn.
   [[nodiscard]] QImage painted(const QImage &figure, double factor, const QColor &ground) const {
     if (!m_code)
@@ -103,19 +104,30 @@ private:
   double m_side; ///< of the code with its quiet zone
 };
 
+/// The shapes of a figure on a page that is so many times as wide and high.
+std::optional<PreviewShapes> shapesOf(FigureMaker &maker, const FigureSubject &subject,
+                                      const FigureChoices &choices, glm::dvec2 pagePerFigure) {
+  if (subject.flat)
+    return {};
+  const auto [view, figure] = maker.framingOf(subject, choices);
+  return PreviewShapes{maker.shapesOf(subject, choices, view),
+                       {figure.low, figure.low + figure.extent() * pagePerFigure}};
+}
+
 Result<FigurePreview> pixelPreview(FigureMaker &maker, const FigureSubject &subject,
                                    const FigureChoices &choices, const std::optional<QrCode> &code,
                                    const PreviewRoom &room) {
   const PreviewPage page(maker.framingOf(subject, choices).page.extent(), code,
                          modulePixels(choices.pixelsPerInch()));
   const double factor = pixelFactor(page.size(), choices, room);
-  const auto picture = maker.picture(subject, finer(choices, factor));
+  const FigureChoices previewed = finer(choices, factor);
+  const auto picture = maker.picture(subject, previewed);
   if (!picture)
     return picture.problem();
   const QColor ground =
       choices.isTransparent ? QColor(Qt::transparent) : toQColor(choices.theme.backgroundBottom);
   return FigurePreview{page.painted(toImage(*picture), factor, ground), pixelExtent(page.size(), choices),
-                       picture->leavesOutSurfaces};
+                       picture->leavesOutSurfaces, shapesOf(maker, subject, previewed, page.perFigure())};
 }
 
 FigurePreview vectorPreview(FigureStudio &studio, const FigureSubject &subject, const FigureChoices &choices,
@@ -130,7 +142,10 @@ FigurePreview vectorPreview(FigureStudio &studio, const FigureSubject &subject, 
   paintDrawing(painter, drawing, studio.typesetter.fonts());
   painter.end();
   const QColor ground = drawing.ground ? toQColor(*drawing.ground) : QColor(Qt::transparent);
-  return {page.painted(figure, factor, ground), {page.size(), {}}, drawing.leavesOutSurfaces};
+  return {page.painted(figure, factor, ground),
+          {page.size(), {}},
+          drawing.leavesOutSurfaces,
+          shapesOf(studio.maker, subject, choices, page.perFigure())};
 }
 
 } // namespace

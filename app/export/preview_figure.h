@@ -15,10 +15,17 @@ struct FigureExtent {
   std::optional<PixelSize> inPixels{}; ///< of one that is made of them
 };
 
+/// What a preview is drawn from.
+struct PreviewShapes {
+  ShapeList list;
+  PixelBox page; ///< the part of their view that it shows
+};
+
 struct FigurePreview {
   QImage image; ///< null where there is no memory for it
   FigureExtent extent;
-  bool leavesOutSurfaces = false; ///< as `ShapeList` has it
+  bool leavesOutSurfaces = false;        ///< as `ShapeList` has it
+  std::optional<PreviewShapes> shapes{}; ///< nothing of a flat picture
 };
 
 /// What a preview is drawn on, in pixels of the screen.

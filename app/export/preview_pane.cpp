@@ -1,6 +1,12 @@
 #include "app/export/preview_pane.h"
 
+#include "widgets/mouse_place.h"
+
+#include <QContextMenuEvent>
+#include <QMouseEvent>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -25,6 +31,8 @@ QPixmap squares() {
 
 class PreviewPane::Page : public QWidget {
 public:
+  explicit Page(PreviewPane &pane) : m_pane(pane) { setMouseTracking(true); }
+
   void setPreview(QImage image, bool isTransparent) {
     m_image = std::move(image);
     m_isTransparent = isTransparent;
@@ -39,8 +47,7 @@ protected:
   void paintEvent(QPaintEvent *) override {
     if (m_image.isNull())
       return;
-    QRect page({}, imageSize());
-    page.moveCenter(rect().center());
+    const QRect page = pageRoom();
     QPainter painter(this);
     if (m_isTransparent)
       painter.drawTiledPixmap(page, squares());
@@ -51,15 +58,45 @@ protected:
     painter.drawRect(page.adjusted(-1, -1, 0, 0));
   }
 
+  void mousePressEvent(QMouseEvent *event) override {
+    if (event->button() == Qt::LeftButton)
+      emit m_pane.pressed(partAt(mousePlace(*event)));
+  }
+  void mouseMoveEvent(QMouseEvent *event) override {
+    if (event->buttons() & Qt::LeftButton)
+      emit m_pane.dragged(partAt(mousePlace(*event)));
+    else
+      emit m_pane.hovered(partAt(mousePlace(*event)));
+  }
+  void mouseReleaseEvent(QMouseEvent *event) override {
+    if (event->button() == Qt::LeftButton)
+      emit m_pane.released();
+  }
+  void contextMenuEvent(QContextMenuEvent *event) override {
+    emit m_pane.menuWanted(partAt(event->pos()), event->globalPos());
+  }
+
 private:
+  /// The middle of the widget.
+  [[nodiscard]] QRect pageRoom() const {
+    QRect page({}, imageSize());
+    page.moveCenter(rect().center());
+    return page;
+  }
+  [[nodiscard]] QPointF partAt(QPointF place) const {
+    const QRect page = pageRoom();
+    const QPointF inside = place - page.topLeft();
+    return {inside.x() / std::max(1, page.width()), inside.y() / std::max(1, page.height())};
+  }
   /// In the widget's pixels.
   [[nodiscard]] QSize imageSize() const { return (QSizeF(m_image.size()) / devicePixelRatioF()).toSize(); }
 
+  PreviewPane &m_pane;
   QImage m_image;
   bool m_isTransparent = false;
 };
 
-PreviewPane::PreviewPane(QWidget *parent) : QScrollArea(parent), m_page(new Page) {
+PreviewPane::PreviewPane(QWidget *parent) : QScrollArea(parent), m_page(new Page(*this)) {
   setObjectName("preview");
   setWidget(m_page);
   setWidgetResizable(true);
@@ -77,6 +114,10 @@ void PreviewPane::setActualSize(bool isActual) {
   emit roomChanged();
 }
 
+void PreviewPane::setHand(bool isOver, bool isHolding) {
+  m_page->setCursor(isHolding ? Qt::ClosedHandCursor : isOver ? Qt::OpenHandCursor : Qt::ArrowCursor);
+}
+
 PreviewRoom PreviewPane::room() const {
   const QSize inside = maximumViewportSize() - QSize(2 * margin, 2 * margin);
   PreviewRoom room{(QSizeF(inside.expandedTo({1, 1})) * devicePixelRatioF()).toSize()};
@@ -89,6 +130,13 @@ void PreviewPane::resizeEvent(QResizeEvent *event) {
   QScrollArea::resizeEvent(event);
   if (!m_isActualSize)
     emit roomChanged();
+}
+
+void PreviewPane::keyPressEvent(QKeyEvent *event) {
+  if (event->matches(QKeySequence::Delete))
+    emit removeWanted();
+  else
+    QScrollArea::keyPressEvent(event);
 }
 
 } // namespace halfspace

@@ -17,14 +17,24 @@ public:
   void setPreview(const FigurePreview &preview, bool isTransparent);
   /// Whether it is to be as large as on paper, or as its pixels are, instead of as large as fits.
   void setActualSize(bool isActual);
+  /// Whether the pointer looks as over something that a hand can take, or holds.
+  void setHand(bool isOver, bool isHolding);
   /// What the next preview is drawn on.
   [[nodiscard]] PreviewRoom room() const;
 
 signals:
   void roomChanged(); ///< the preview that is shown does not suit any more
+  // Of the pointer, with how far through the page it is from its left and upper side, each from 0 to 1.
+  void hovered(QPointF part);
+  void pressed(QPointF part);
+  void dragged(QPointF part);
+  void released();
+  void menuWanted(QPointF part, const QPoint &at); ///< `at`: on the screen
+  void removeWanted();                             ///< the key was pressed
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
 
 private:
   class Page;

@@ -20,21 +20,15 @@ constexpr double bytesPerMegabyte = 1e6;
 
 QString centimetres(double points) { return roundedText(points / pointsPerCentimetre, mostDigits); }
 
-QStringList partsOf(const FigureExtent &extent) {
+} // namespace
+
+QString toWords(const FigureExtent &extent) {
   QStringList parts;
   if (extent.onPaper)
     parts << SizeWords::tr("%1 × %2 cm").arg(centimetres(extent.onPaper->x), centimetres(extent.onPaper->y));
   if (extent.inPixels)
     parts << SizeWords::tr("%1 × %2 pixels").arg(extent.inPixels->width).arg(extent.inPixels->height);
-  return parts;
-}
-
-} // namespace
-
-QString toWords(const FigureExtent &extent) { return partsOf(extent).join(", "); }
-
-QString toWords(const FigureExtent &extent, std::size_t bytes) {
-  return (partsOf(extent) << bytesInWords(bytes)).join(", ");
+  return parts.join(", ");
 }
 
 QString bytesInWords(std::size_t bytes) {

@@ -11,8 +11,6 @@ namespace halfspace {
 
 /// 8 × 6.5 cm, 945 × 768 pixels
 [[nodiscard]] QString toWords(const FigureExtent &extent);
-/// … with the size of its file: 8 × 6.5 cm, 945 × 768 pixels, 14 KB
-[[nodiscard]] QString toWords(const FigureExtent &extent, std::size_t bytes);
 /// 14 KB, 1.2 MB
 [[nodiscard]] QString bytesInWords(std::size_t bytes);
 

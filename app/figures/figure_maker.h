@@ -58,14 +58,15 @@ public:
   /// file.
   [[nodiscard]] Framing framingOf(const FigureSubject &subject, const FigureChoices &choices);
 
-private:
-  /// What is drawn of a subject on a view.
-  [[nodiscard]] std::optional<PixelBox> drawnOn(const View &view, const FigureSubject &subject,
-                                                const FigureChoices &choices);
   /// The shapes of a subject in space, with labels that stand as in what it is framed like. Valid until it is
   /// called again.
   [[nodiscard]] const ShapeList &shapesOf(const FigureSubject &subject, const FigureChoices &choices,
                                           const View &view);
+
+private:
+  /// What is drawn of a subject on a view.
+  [[nodiscard]] std::optional<PixelBox> drawnOn(const View &view, const FigureSubject &subject,
+                                                const FigureChoices &choices);
 
   const Typesetter &m_typesetter;
   LabelSetter m_set;

@@ -22,6 +22,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolButton>
 #include <QUrl>
 
 using namespace halfspace;
@@ -74,6 +75,23 @@ QByteArray pixelsAlone(const QImage &picture) {
   painter.end();
   QBuffer file;
   return file.open(QIODevice::WriteOnly) && pixels.save(&file, "PNG") ? file.data() : QByteArray();
+}
+
+void moveIn(QWidget &widget, const QPoint &to, Qt::MouseButtons buttons) {
+  QMouseEvent move(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, buttons, {});
+  QCoreApplication::sendEvent(&widget, &move);
+}
+
+/// A place on the page of a preview at which there is a label that can be taken.
+std::optional<QPoint> labelIn(QWidget &page) {
+  constexpr int stride = 4;
+  for (int y = 0; y < page.height(); y += stride)
+    for (int x = 0; x < page.width(); x += stride) {
+      moveIn(page, {x, y}, Qt::NoButton);
+      if (page.cursor().shape() == Qt::OpenHandCursor)
+        return QPoint(x, y);
+    }
+  return {};
 }
 
 /// Answers the next message box.
@@ -234,6 +252,61 @@ private slots:
     fixture.field<QCheckBox>("session").click();
     QVERIFY(!fixture.field<QCheckBox>("code").isEnabled());
     QCOMPARE(QImage::fromData(fixture.saved()).width(), without.width());
+  }
+
+  void parts_thatAreLeftOut_areNotInTheFile() {
+    ExportFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QByteArray before = fixture.saved(".svg");
+    for (const char *part : {"coordinates", "labels", "axes", "grid", "shadows"}) {
+      fixture.field<QCheckBox>(part).click();
+      const QByteArray after = fixture.saved(".svg");
+      QVERIFY2(!after.isEmpty() && after != before, part);
+      before = after;
+    }
+    QVERIFY(!fixture.field<QCheckBox>("coordinates").isEnabled()); // they stand in labels
+  }
+
+  void label_draggedInThePreview_staysThere_inTheSceneAndItsFile_untilItIsUndone() {
+    ExportFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Scene before = fixture.model().session().scene;
+    QWidget &page = *fixture.exports().findChild<PreviewPane *>()->widget();
+    const auto label = labelIn(page);
+    QVERIFY(label);
+    QTest::mousePress(&page, Qt::LeftButton, {}, *label);
+    moveIn(page, *label + QPoint(40, 30), Qt::LeftButton);
+    QTest::mouseRelease(&page, Qt::LeftButton, {}, *label + QPoint(40, 30));
+    const Session moved = fixture.model().session();
+    QCOMPARE(moved.scene.labels.size(), 1U);
+    QVERIFY(moved.scene.labels.begin()->second.spot);
+    const auto carried = findSessionIn(fixture.saved(".svg").toStdString(), "");
+    QVERIFY(carried && carried->session == moved);
+    fixture.exports().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.exports()));
+    QTest::keyClick(&fixture.exports(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(fixture.model().session().scene == before);
+    QTest::keyClick(&fixture.exports(), Qt::Key_Z, Qt::ControlModifier); // there is nothing more to undo
+    QVERIFY(fixture.model().session().scene == before);
+  }
+
+  void label_takenAndDeleted_isHidden_andComesBackByTheMenu() {
+    ExportFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    auto &pane = *fixture.exports().findChild<PreviewPane *>();
+    const auto label = labelIn(*pane.widget());
+    QVERIFY(label);
+    QTest::mouseClick(pane.widget(), Qt::LeftButton, {}, *label);
+    QTest::keyClick(&pane, Qt::Key_Delete);
+    const LabelsByHand &labels = fixture.model().session().scene.labels;
+    QVERIFY(labels.size() == 1 && labels.begin()->second.isHidden);
+    QMenu &menu = *fixture.field<QToolButton>("labelsMenu").menu();
+    emit menu.aboutToShow();
+    menu.actions().last()->trigger();
+    QVERIFY(fixture.model().session().scene.labels.empty());
+    emit menu.aboutToShow();
+    menu.actions().first()->trigger();
+    QVERIFY(fixture.model().session().scene.labels.begin()->second.isHidden);
   }
 
   void preview_followsEachChoice_soon() {

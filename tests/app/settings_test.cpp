@@ -62,6 +62,7 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   settings.figure.isTransparent = true;
   settings.figure.hidden = HiddenLines::Paler;
   settings.figure.text = TextAs::Letters;
+  settings.figure.shown.grid = false;
   settings.figure.isFlat = true;
   settings.figure.carriesSession = false;
   settings.figure.hasCode = true;
