@@ -48,10 +48,11 @@ Result<Filmed> filmOf(const AnimatedScene &scene, const AnimationChoices &choice
 AnimationExport::AnimationExport(const SessionModel &model, SceneView &scene, const WindowLook &look,
                                  Messages messages, QObject *parent)
     : QObject(parent), m_model(model), m_scene(scene), m_look(look), m_messages(messages),
-      m_dialog(new AnimationDialog(&messages.window())),
       m_progress(messages.window(), "animationProgress", tr("Save animation"), [this] { cancel(); }) {}
 
 void AnimationExport::askAndSave() {
+  if (!m_dialog)
+    m_dialog = new AnimationDialog(&m_messages.window());
   m_dialog->setScene(sceneFor(AnimationChoices().size));
   if (m_dialog->exec() != QDialog::Accepted)
     return;

@@ -43,6 +43,8 @@ TEST(Film, ThatIsTooLongOrTooLarge_IsRefusedBeforeAnythingIsWritten) {
   ASSERT_FALSE(tooLong);
   EXPECT_NE(tooLong.problem().sentence.find("at most 10000 pictures, not 30001"), std::string::npos)
       << tooLong.problem().text();
+  Still forEver(1e300, true);
+  EXPECT_FALSE(film(forEver, *gif, request, nobody));
   request.framesPerSecond = 10;
   request.size = {16384, 16384};
   const auto tooLarge = film(motion, *gif, request, nobody);

@@ -116,25 +116,24 @@ private slots:
   }
 
   void dialog_offersWhatTheSceneHas_andTheTimeThatItTakes() {
-    WindowFixture fixture("signed-distance");
-    QVERIFY(fixture.ready);
-    auto *dialog = fixture.window.findChild<AnimationDialog *>();
+    const LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
+    AnimationDialog dialog(nullptr);
     AnimatedScene scene;
     const auto offer = [&](const std::string &lesson) {
-      scene.lesson = std::make_shared<const Lesson>(*fixture.model().library().find(lesson));
+      scene.lesson = std::make_shared<const Lesson>(*library.find(lesson));
       scene.scene = scene.lesson->scene;
       scene.size = {320, 200};
-      dialog->setScene(scene);
+      dialog.setScene(scene);
     };
-    auto *motion = dialog->findChild<QComboBox *>("motion");
+    auto *motion = dialog.findChild<QComboBox *>("motion");
     offer("signed-distance");
     QCOMPARE(textsOf(*motion).size(), 2);
     motion->setCurrentIndex(1);
     offer("photon-torpedo");
     QCOMPARE(textsOf(*motion).size(), 3);
     QCOMPARE(motion->currentIndex(), 2); // the turn, still
-    QCOMPARE(dialog->choices().motion, findMotionKind("turn"));
-    QCOMPARE(dialog->choices().seconds, 8.0);
+    QCOMPARE(dialog.choices().motion, findMotionKind("turn"));
+    QCOMPARE(dialog.choices().seconds, 8.0);
   }
 
   void dialog_offersAClearBackgroundOnlyWhereAFormatHasOne() {

@@ -6,27 +6,18 @@ namespace halfspace {
 namespace {
 
 /// What commands, their arguments, the values of these and objects of our lessons are called.
-const test::Names names{"LESSON",    "FILE",          "FOLDER",  "ID",        "NAME",      "VALUE",
-                        "INT",       "FORMAT",        "THEME",   "Halfspace", "halfspace", "subject",
-                        "output",    "paths",         "file",    "size",      "distance",  "lessons",
-                        "new",       "constructions", "check",   "explain",   "render",    "eval",
-                        "text",      "latex",         "json",    "light",     "dark",      "print",
-                        "projector", "WIDTHxHEIGHT",  "NUMBER",  "nobody",    "nowhere",   "LENGTH",
-                        "dashed",    "paler",         "left",    "out",       "width",     "hidden",
-                        "mathml",    "shapes",        "letters", "changed",   "steps",     "rows",
-                        "lesson",    "step",          "row",     "frame",     "CSV",       "ray",
-                        "sphere",    "JSON",          "handout", "letter",    "NUMBERS",   "paper",
-                        "animate",   "motion",        "flight",  "turn",      "seconds",   "fps"};
 const test::Names names{
-    "LESSON",  "FILE",        "FOLDER",    "ID",           "NAME",    "VALUE",         "INT",
-    "FORMAT",  "THEME",       "Halfspace", "halfspace",    "subject", "output",        "paths",
-    "file",    "size",        "distance",  "lessons",      "new",     "constructions", "check",
-    "explain", "render",      "eval",      "text",         "latex",   "json",          "light",
-    "dark",    "print",       "projector", "WIDTHxHEIGHT", "NUMBER",  "nobody",        "nowhere",
-    "LENGTH",  "dashed",      "paler",     "left",         "out",     "width",         "hidden",
-    "mathml",  "shapes",      "letters",   "changed",      "steps",   "rows",          "lesson",
-    "step",    "row",         "frame",     "CSV",          "ray",     "sphere",        "JSON",
-    "labels",  "coordinates", "axes",      "grid",         "shadows", "show",          "without"};
+    "LESSON",  "FILE",    "FOLDER",    "ID",           "NAME",        "VALUE",         "INT",
+    "FORMAT",  "THEME",   "Halfspace", "halfspace",    "subject",     "output",        "paths",
+    "file",    "size",    "distance",  "lessons",      "new",         "constructions", "check",
+    "explain", "render",  "eval",      "text",         "latex",       "json",          "light",
+    "dark",    "print",   "projector", "WIDTHxHEIGHT", "NUMBER",      "nobody",        "nowhere",
+    "LENGTH",  "dashed",  "paler",     "left",         "out",         "width",         "hidden",
+    "mathml",  "shapes",  "letters",   "changed",      "steps",       "rows",          "lesson",
+    "step",    "row",     "frame",     "CSV",          "ray",         "sphere",        "JSON",
+    "handout", "letter",  "NUMBERS",   "paper",        "animate",     "motion",        "flight",
+    "turn",    "seconds", "fps",       "labels",       "coordinates", "axes",          "grid",
+    "shadows", "show",    "without"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:

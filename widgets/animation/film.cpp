@@ -15,27 +15,38 @@ namespace {
 /// Labels are led around a loop in so many steps before the first picture: then they have found their places.
 constexpr int arranged = 240;
 
+/// Of pictures that are too many; nobody needs to know how many more there are.
+constexpr double mostCounted = 1e9;
+
 Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
 
 /// What no format has a place for.
-std::optional<Problem> refusalOf(const AnimationFormat &format, const FilmRequest &request,
-                                 std::size_t pictures) {
+std::optional<Problem> refusalOf(const AnimationFormat &format, const FilmRequest &request, double pictures) {
+  const std::string count = std::to_string(std::llround(std::min(pictures, mostCounted)));
   const auto [width, height] = request.size;
   if (request.isTransparent && !format.mayBeTransparent)
     return refused(
         words("{format} has no transparent pictures: GIF and PNG have.", {{"format", format.name}}));
-  if (pictures > std::size_t{mostPictures})
+  if (pictures > mostPictures)
     return refused(words("An animation has at most {most} pictures, not {count}: let it be shorter, or have "
                          "fewer a second.",
-                         {{"most", std::to_string(mostPictures)}, {"count", std::to_string(pictures)}}));
-  if (static_cast<double>(pictures) * width * height > mostPixelsOfFilm)
+                         {{"most", std::to_string(mostPictures)}, {"count", count}}));
+  if (pictures * width * height > mostPixelsOfFilm)
     return refused(
         words("{count} pictures of {width} × {height} pixels are too much for an animation: let it be "
               "smaller or shorter.",
-              {{"count", std::to_string(pictures)},
-               {"width", std::to_string(width)},
-               {"height", std::to_string(height)}}));
+              {{"count", count}, {"width", std::to_string(width)}, {"height", std::to_string(height)}}));
   return {};
+}
+
+/// From picture to picture of a motion.
+double stepsOf(const Motion &motion, int framesPerSecond) {
+  return std::max(1.0, std::round(motion.seconds() * framesPerSecond));
+}
+
+/// A whole number, however large.
+double picturesOf(const Motion &motion, int framesPerSecond) {
+  return stepsOf(motion, framesPerSecond) + (motion.isLoop() ? 0 : 1);
 }
 
 /// So many of the moments, from all over them.
@@ -113,22 +124,22 @@ private:
 
 std::vector<double> momentsOf(const Motion &motion, int framesPerSecond) {
   const double seconds = motion.seconds();
-  const int steps = std::max(1, static_cast<int>(std::lround(seconds * framesPerSecond)));
+  const double steps = stepsOf(motion, framesPerSecond);
   std::vector<double> moments;
-  for (int i = 0; i < (motion.isLoop() ? steps : steps + 1); ++i)
+  for (int i = 0; i < picturesOf(motion, framesPerSecond); ++i)
     moments.push_back(seconds * i / steps);
   return moments;
 }
 
 Result<Filmed> film(Motion &motion, const AnimationFormat &format, const FilmRequest &request,
                     const FilmWatch &watch) {
-  const std::vector<double> moments = momentsOf(motion, request.framesPerSecond);
-  if (const auto refusal = refusalOf(format, request, moments.size()))
+  if (const auto refusal = refusalOf(format, request, picturesOf(motion, request.framesPerSecond)))
     return *refusal;
   const auto encoder = format.begin(
       {request.file, request.size, request.framesPerSecond, request.isTransparent, watch.isCancelled});
   if (!encoder)
     return encoder.problem();
+  const std::vector<double> moments = momentsOf(motion, request.framesPerSecond);
   const std::vector<double> previews = someOf(moments, format.previews);
   Shooting shooting(motion, request, watch, static_cast<int>(previews.size() + moments.size()));
   if (const auto problem = shooting.preview(previews, **encoder))

@@ -29,7 +29,7 @@ struct FilmWatch {
 };
 
 /// The moments of a motion that a film shows, in seconds. The last is the motion's end, but of a loop, which
-/// begins there anew.
+/// begins there anew. Requires a motion of no more than `mostPictures`.
 [[nodiscard]] std::vector<double> momentsOf(const Motion &motion, int framesPerSecond);
 
 struct Filmed {

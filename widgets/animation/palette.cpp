@@ -16,9 +16,6 @@ namespace {
 /// As many as are looked through in a moment.
 constexpr std::size_t mostSamples = 1U << 20U;
 
-/// Below, a pixel counts as not drawn.
-constexpr std::uint8_t leastAlpha = 128;
-
 constexpr std::size_t knownColors = 1U << 16U;
 
 std::size_t placeOf(Color color) {
@@ -47,7 +44,7 @@ void ColorSamples::add(const RgbaImage &picture) {
   const std::size_t step = std::max<std::size_t>(1, pixels / m_mostPixels);
   for (std::size_t pixel = 0; pixel < pixels; pixel += step) {
     const auto at = picture.rgba.begin() + static_cast<std::ptrdiff_t>(pixel * 4);
-    if (at[3] >= leastAlpha)
+    if (at[3] >= leastDrawnAlpha)
       m_rgb.insert(m_rgb.end(), at, at + 3);
   }
 }

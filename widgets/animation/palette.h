@@ -10,12 +10,15 @@
 
 namespace halfspace {
 
+/// A pixel of less counts as not drawn where there is no half.
+inline constexpr std::uint8_t leastDrawnAlpha = 128;
+
 /// The colours of pictures, from which those of a palette are chosen.
 class ColorSamples {
 public:
   /// Of each picture so many pixels, evenly, that all together are no more than it takes.
   explicit ColorSamples(int pictures);
-  /// What is not opaque counts as its colour where it is drawn, and not where it is not.
+  /// Only what is drawn counts.
   void add(const RgbaImage &picture);
   [[nodiscard]] const std::vector<std::uint8_t> &rgb() const { return m_rgb; }
 

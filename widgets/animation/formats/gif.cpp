@@ -22,9 +22,6 @@ constexpr int shortestDelay = 2;
 constexpr int paletteSize = 256;
 constexpr GifPixelType clear = paletteSize - 1;
 
-/// A pixel that is drawn less than half is not drawn.
-constexpr std::uint8_t leastAlpha = 128;
-
 constexpr int previews = 16;
 
 /// The numbers of a picture's colours, by rows.
@@ -75,13 +72,13 @@ public:
                               : changedPart(m_shown, now, m_request.size);
     const bool isWritten = writeDelay() && writePart(part, now, isWhole);
     m_shown = std::move(now);
-    if (!isWritten)
+    if (!isWritten || m_problem)
       return problem();
     return {};
   }
 
   [[nodiscard]] std::optional<Problem> finish() override {
-    if (!close())
+    if (!close() || m_problem)
       return problem();
     return m_file.finish();
   }
@@ -91,7 +88,8 @@ private:
     auto &self = *static_cast<GifEncoder *>(gif->UserData);
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): files are chars.
     const std::string_view part(reinterpret_cast<const char *>(bytes), static_cast<std::size_t>(count));
-    self.m_problem = self.m_file.write(part);
+    if (!self.m_problem) // the library does not ask each time whether all was written
+      self.m_problem = self.m_file.write(part);
     return self.m_problem ? 0 : count;
   }
 
@@ -123,7 +121,7 @@ private:
     Indices indices(picture.rgba.size() / 4);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const std::uint8_t *pixel = picture.rgba.data() + 4 * i;
-      indices[i] = pixel[3] < leastAlpha ? clear : m_palette->nearest({pixel[0], pixel[1], pixel[2]});
+      indices[i] = pixel[3] < leastDrawnAlpha ? clear : m_palette->nearest({pixel[0], pixel[1], pixel[2]});
     }
     return indices;
   }

@@ -4,6 +4,7 @@
 #include "widgets/animation/staged_scene.h"
 #include "widgets/flight/scene_flight.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -17,7 +18,7 @@ public:
     goTo(m_flight.frame.from);
     m_beginning = m_staged.content(&m_step);
     m_last = roundUpToMultiple(m_flight.lastFrame(m_staged.evaluation), 1);
-    m_seconds = seconds.value_or(frames() / framesPerSecond);
+    m_seconds = seconds.value_or(std::max(1.0, frames()) / framesPerSecond);
   }
 
   [[nodiscard]] double seconds() const override { return m_seconds; }
