@@ -74,6 +74,7 @@ FigureChoices figureChoicesOf(const ExportChoices &choices, PixelSize screen, do
   figure.hidden = choices.hidden;
   figure.text = choices.text;
   figure.hasCode = choices.hasCode;
+  figure.shown = choices.shown;
   return figure;
 }
 

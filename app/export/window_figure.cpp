@@ -13,7 +13,6 @@ WindowFigure::WindowFigure(const SessionModel &model, SceneView &scene, const Fl
 FigureRequest WindowFigure::requestFor(const ExportChoices &choices) const {
   FigureSubject subject;
   subject.content = m_scene.drawn().pictureContent();
-  subject.content.shown = choices.shown;
   subject.camera = m_scene.viewpoint().camera();
   if (choices.isFlat)
     subject.flat = m_flat.picture();
