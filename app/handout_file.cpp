@@ -4,7 +4,6 @@
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/placed_scene.h"
 #include "widgets/carriers/carrier.h"
-#include "widgets/picture/camera_views.h"
 #include "widgets/picture/lesson_picture.h"
 #include "widgets/typeset/text_faces.h"
 #include "widgets/typeset/typesetter.h"
@@ -31,10 +30,8 @@ public:
   std::vector<Drawing> draw(const Figure &shown, const FigureSize &size) {
     m_choices.paper = PaperSize{size.width, size.typeSize};
     FigureSubject subject;
-    subject.content.stage = m_stage;
-    subject.content.hasShadows = m_lesson.hasShadows;
-    subject.content.figure = toStage(shown, m_stage);
-    subject.camera = camera();
+    subject.content = contentOf(&m_lesson, shown, m_evaluation, m_stage);
+    subject.camera = cameraFor(m_session, &m_lesson, m_evaluation, m_stage, m_choices.frame());
     std::vector<Drawing> drawings{m_maker.drawing(subject, m_choices)};
     if (const auto frame = flatFrame(m_lesson.flat, m_session.scene)) {
       subject.flat.emplace(*frame, m_stage, figureOf(m_evaluation), shown);
@@ -44,13 +41,6 @@ public:
   }
 
 private:
-  [[nodiscard]] Camera camera() const {
-    if (m_session.view)
-      return cameraOf(*m_session.view);
-    const View frame = m_choices.frame();
-    return homeOf(&m_lesson, m_evaluation, m_stage, frame.size, frame.pixelRatio);
-  }
-
   const Lesson &m_lesson;
   const Session &m_session;
   const Evaluation &m_evaluation;

@@ -5,7 +5,6 @@
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
-#include "widgets/picture/camera_views.h"
 #include "widgets/picture/lesson_picture.h"
 
 #include <utility>
@@ -38,7 +37,7 @@ Result<FigureSubject> SceneFigures::subjectOf(std::optional<int> step, std::opti
   subject.content = contentAt(shown, m_now);
   if (frame)
     subject.framedLike = contentAt(shown, *m_firstFrame);
-  subject.camera = cameraFor(choices.frame());
+  subject.camera = cameraFor(m_opened.session, m_opened.lesson, *m_beginning, m_stage, choices.frame());
   if (m_command.flat) {
     auto flat = flatAt(shown);
     if (!flat)
@@ -76,12 +75,6 @@ void SceneFigures::showFrame(int frame) {
   }
   goToFrame(frame, m_opened);
   m_now = evaluate(m_opened.session.scene, m_now);
-}
-
-Camera SceneFigures::cameraFor(const View &frame) const {
-  if (const auto &view = m_opened.session.view)
-    return cameraOf(*view);
-  return homeOf(m_opened.lesson, *m_beginning, m_stage, frame.size, frame.pixelRatio);
 }
 
 SceneContent SceneFigures::contentAt(const LessonStep *step, const Evaluation &evaluation) const {

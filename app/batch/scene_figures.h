@@ -34,9 +34,6 @@ private:
   void evaluateOnce();
   /// Puts the scene there and evaluates it.
   void showFrame(int frame);
-  /// Where the scene is looked at from: as somebody had put the camera when the session was saved, or as its
-  /// lesson begins.
-  [[nodiscard]] Camera cameraFor(const View &frame) const;
   [[nodiscard]] SceneContent contentAt(const LessonStep *step, const Evaluation &evaluation) const;
   /// Flat pictures are each laid on their page by themselves.
   [[nodiscard]] Result<FlatPicture> flatAt(const LessonStep *step) const;

@@ -31,6 +31,18 @@ TEST_F(Handouts, DrawnAnonymously_HoldNoScene) {
   EXPECT_FALSE(has(file("a.pdf"), "x-halfspace"));
 }
 
+TEST_F(Handouts, OfASession_HaveItsLabelsByHand) {
+  const auto handout = [&](const std::string &labels) {
+    write("a.halfspace", R"({"format":"halfspace","version":5,"lesson":"signed-distance","step":0,"scene":[
+      {"name":"E","plane":{"P0":[5,4,7],"n":[1,2,2]}},{"name":"Q","point":[11,15,8]},
+      {"name":"distance","construction":"signed-distance","of":{"E":"E","Q":"Q"}}],"labels":)" +
+                             labels + "}");
+    EXPECT_EQ(run("handout a.halfspace --anonymous --steps 2 -o a.pdf").status, 0);
+    return file("a.pdf");
+  };
+  EXPECT_NE(handout(R"({"Q":{"at":[4,-3],"side":"left"}})"), handout("{}"));
+}
+
 TEST_F(Handouts, HaveThePaperAndTheColumnsThatAreAsked) {
   EXPECT_EQ(run("handout ray-sphere -o a.pdf").status, 0);
   EXPECT_EQ(run("handout ray-sphere -o b.pdf --paper letter --columns 2").status, 0);
