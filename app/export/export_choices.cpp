@@ -9,14 +9,6 @@
 namespace halfspace {
 namespace {
 
-/// That of files with an ending; null for none of them.
-const FigureFormat *formatWith(const std::string &ending) {
-  const auto &formats = figureFormats();
-  const auto found = std::find_if(formats.begin(), formats.end(),
-                                  [&](const FigureFormat &format) { return format.ending == ending; });
-  return found == formats.end() ? nullptr : &*found;
-}
-
 /// Takes over a number that lies within its limits.
 void take(double &value, const QJsonValue &json, double least, double most) {
   const double number = json.toDouble(value);
@@ -55,7 +47,7 @@ ShownParts shownPartsIn(const QJsonObject &json) {
 
 } // namespace
 
-const FigureFormat &ExportChoices::format() const { return *formatWith(ending); }
+const FigureFormat &ExportChoices::format() const { return *figureFormatWith(ending); }
 
 FigureChoices figureChoicesOf(const ExportChoices &choices, PixelSize screen, double designRatio) {
   FigureChoices figure;
@@ -98,7 +90,7 @@ QJsonObject toJson(const ExportChoices &choices) {
 
 ExportChoices exportChoicesIn(const QJsonObject &json) {
   ExportChoices choices;
-  if (const FigureFormat *format = formatWith(json["ending"].toString().toStdString()))
+  if (const FigureFormat *format = figureFormatWith(json["ending"].toString().toStdString()))
     choices.ending = format->ending;
   choices.isOnPaper = json["onPaper"].toBool(choices.isOnPaper);
   choices.paper = paperSizeIn(json);

@@ -24,13 +24,15 @@ const std::vector<FigureFormat> &figureFormats() {
   return formats;
 }
 
-const FigureFormat *figureFormatOf(const std::string &file) {
-  const std::string ending = endingOf(file);
-  if (ending.empty())
-    return &figureFormats().front();
+const FigureFormat *figureFormatWith(const std::string &ending) {
   const auto found = std::find_if(figureFormats().begin(), figureFormats().end(),
                                   [&](const FigureFormat &format) { return format.ending == ending; });
   return found == figureFormats().end() ? nullptr : &*found;
+}
+
+const FigureFormat *figureFormatOf(const std::string &file) {
+  const std::string ending = endingOf(file);
+  return ending.empty() ? &figureFormats().front() : figureFormatWith(ending);
 }
 
 int PaperSize::pixelsAcross() const {

@@ -23,6 +23,9 @@ struct FigureFormat {
 /// The first is PNG.
 [[nodiscard]] const std::vector<FigureFormat> &figureFormats();
 
+/// That of files with an ending, as `FigureFormat` has it; null for none of them.
+[[nodiscard]] const FigureFormat *figureFormatWith(const std::string &ending);
+
 /// That of a file, by how its name ends, which is PNG where it has no ending; null for none of them.
 [[nodiscard]] const FigureFormat *figureFormatOf(const std::string &file);
 
