@@ -4,6 +4,7 @@
 #include "widgets/picture/screen_shapes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -109,8 +110,9 @@ std::vector<std::vector<std::size_t>> pinnedRows(const std::vector<LabelRequest>
 /// Of all that is placed.
 std::vector<LabelChoice> choicesOf(const std::vector<std::optional<LabelCandidate>> &placed) {
   std::vector<LabelChoice> choices;
-  for (const std::optional<LabelCandidate> &label : placed)
-    choices.push_back(label ? label->choice : LabelChoice());
+  std::transform(
+      placed.begin(), placed.end(), std::back_inserter(choices),
+      [](const std::optional<LabelCandidate> &label) { return label ? label->choice : LabelChoice(); });
   return choices;
 }
 
