@@ -21,7 +21,7 @@ public:
                  HiddenLines hidden, const Typesetter &typesetter)
       : m_lesson(lesson), m_session(session), m_evaluation(evaluation),
         m_stage(stageOf(session.scene, boundObjectsOf(session.scene, evaluation))), m_maker(typesetter) {
-    m_choices.format = figureFormatOf(".pdf");
+    m_choices.format = figureFormatWith(".pdf");
     m_choices.isCropped = true;
     m_choices.theme = *findTheme("print");
     m_choices.hidden = hidden;

@@ -48,6 +48,8 @@ TEST_F(Handouts, HaveThePaperAndTheColumnsThatAreAsked) {
   EXPECT_EQ(run("handout ray-sphere -o b.pdf --paper letter --columns 2").status, 0);
   EXPECT_TRUE(has(file("a.pdf"), "/MediaBox[0 0 595.28 841.89]"));
   EXPECT_TRUE(has(file("b.pdf"), "/MediaBox[0 0 612 792]"));
+  EXPECT_EQ(run("handout ray-sphere -o c.pdf --paper letter").status, 0);
+  EXPECT_NE(file("b.pdf"), file("c.pdf")) << "one column";
 }
 
 TEST_F(Handouts, OfChosenSteps_HaveThese) {

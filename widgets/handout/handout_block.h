@@ -66,7 +66,7 @@ struct TableBlock {
   std::vector<TableRow> rows;
 };
 
-/// /// Drawings of one thing, beside each other where there is room, else below each other, with what is said
+/// Drawings of one thing, beside each other where there is room, else below each other, with what is said
 /// below them. They stand near their place in the text, where a column has room for them.
 struct FigureBlock {
   std::vector<Drawing> drawings;
@@ -94,8 +94,7 @@ struct HandoutBlock {
 
 /// A handout as a whole.
 struct HandoutText {
-  std::string title; ///< in plain text
-  std::string language = "en";
+  std::string title;   ///< in plain text
   HandoutBlocks front; ///< title and what belongs to it, as wide as the page
   HandoutBlocks body;  ///< in columns
 };

@@ -201,6 +201,8 @@ private:
     const bool isPair = m_request.lesson.flat && beside >= leastFigure;
     const double width = isPair ? beside : std::min(m_look.columnWidth(), widestFigure);
     FigureBlock figure{drawn(width), descriptionOfFigure(), {}};
+    if (figure.drawings.empty())
+      return figure; // it has no number
     const std::string label = words("Figure {number}.", {{"number", std::to_string(++m_counts.figures)}});
     figure.caption.emplace_back(StyledWords{label, {.strong = true}});
     if (!withholds()) {

@@ -64,7 +64,7 @@ private:
     case Kind::Paragraph:
       return addParagraph(block, made);
     case Kind::Heading:
-      made.push_back({HeadingBlock{block.level + levelOfStep, "", text(block.spans), ""}});
+      made.push_back({HeadingBlock{block.level + levelOfStep, "", text(block.spans, {.strong = true}), ""}});
       return;
     case Kind::Code:
       made.push_back({CodeBlock{linesOf(block)}});

@@ -58,12 +58,12 @@ public:
       const Character first = firstCharacter(text);
       const std::string_view bytes = text.substr(0, std::max<std::size_t>(first.length, 1));
       text.remove_prefix(bytes.size());
-      const math::FontFace *face = &faceWith(first.code, m_wanted, m_fonts);
       if (const SmallForm *form = smallFormOf(first.code)) {
         endRun();
         addSmall(*form, bytes);
         continue;
       }
+      const math::FontFace *face = &faceWith(first.code, m_wanted, m_fonts);
       if (face != m_face)
         endRun();
       m_face = face;
@@ -75,10 +75,11 @@ public:
 
   /// All of it smaller and lower.
   SetWord makeIndex(std::string_view text, std::string copied) {
+    const double drop = indexDrop * m_size;
     m_size *= indexScale;
     SetWord word = make(text);
     for (SetWord::Part &part : word.parts)
-      part.text.start.y += indexDrop / indexScale * m_size;
+      part.text.start.y += drop;
     if (!word.parts.empty())
       word.parts.front().copied = std::move(copied);
     return word;

@@ -1,6 +1,6 @@
 #include "widgets/handout/worked_lines.h"
 
-#include "lessons/construction/line_text.h"
+#include "lessons/construction/working.h"
 #include "lessons/scene/evaluation.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/formula/term_formula.h"
@@ -70,9 +70,9 @@ private:
       return addWithGap(asDemand(line), gap->second);
     if (m_fade.waiting.contains(line.id)) {
       const WorkingLine waiting = asDemand(line);
-      return addFormula(waitingFormulaOf(waiting), formulaText({&waiting, false}, DocumentFormat::PlainText));
+      return addFormula(waitingFormulaOf(waiting), waitingText(waiting));
     }
-    addFormula(wholeRow(line), formulaText({&line, true}, DocumentFormat::PlainText));
+    addFormula(wholeRow(line), plainText(line));
     if (line.sentence.empty())
       return;
     m_blocks.back().keepsWithNext = true;

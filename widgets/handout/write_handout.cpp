@@ -33,7 +33,6 @@ public:
   std::string write() {
     setPages();
     m_document.title = m_handout.title;
-    m_document.language = m_handout.language;
     m_document.elements = m_order.elements();
     PdfFile file;
     useFonts();
