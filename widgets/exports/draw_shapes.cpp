@@ -6,8 +6,6 @@
 #include "widgets/exports/label_parts.h"
 #include "widgets/exports/space_things.h"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -85,22 +83,15 @@ struct SpaceParts {
 
 /// Takes the hidden things away. Marks that nothing is left of are those that are wholly hidden.
 std::set<std::string> leaveOutHidden(std::vector<PaintedThing> &things) {
-  const auto firstHidden = std::stable_partition(
-      things.begin(), things.end(), [](const PaintedThing &thing) { return !thing.veils.isHidden(); });
-  const auto addMarks = [](auto begin, auto end, std::set<std::string> &marks) {
-    for (auto thing = begin; thing != end; ++thing)
-      for (const PathPart &part : thing->parts)
-        marks.insert(part.mark);
-  };
   std::set<std::string> hidden;
   std::set<std::string> seen;
-  addMarks(firstHidden, things.end(), hidden);
-  addMarks(things.begin(), firstHidden, seen);
-  things.erase(firstHidden, things.end());
-  std::set<std::string> wholly;
-  std::set_difference(hidden.begin(), hidden.end(), seen.begin(), seen.end(),
-                      std::inserter(wholly, wholly.end()));
-  return wholly;
+  for (const PaintedThing &thing : things)
+    for (const PathPart &part : thing.parts)
+      (thing.veils.isHidden() ? hidden : seen).insert(part.mark);
+  std::erase_if(things, [](const PaintedThing &thing) { return thing.veils.isHidden(); });
+  for (const std::string &mark : seen)
+    hidden.erase(mark);
+  return hidden;
 }
 
 SpaceParts spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hidden) {
@@ -120,10 +111,8 @@ SpaceParts spaceParts(const ShapeList &list, const Paper &paper, HiddenLines hid
 
 /// The labels and leaders of what is on a drawing. Those of the axes are of no mark.
 std::vector<Shape> labelsWithout(const std::set<std::string> &marks, std::vector<Shape> labels) {
-  labels.erase(
-      std::remove_if(labels.begin(), labels.end(),
-                     [&](const Shape &shape) { return !shape.mark.empty() && marks.contains(shape.mark); }),
-      labels.end());
+  std::erase_if(labels,
+                [&](const Shape &shape) { return !shape.mark.empty() && marks.contains(shape.mark); });
   return labels;
 }
 
