@@ -112,31 +112,6 @@ TEST(StepsMotion, FromStepToStep_NewMarksFadeIn_AndLabelsStayWhereTheyAre) {
   EXPECT_GT(faded, 0U);
 }
 
-TEST(StepsMotion, HowFarOthersAreDrawnGlides) {
-  // What is drawn to other lengths in two steps that follow one another, in any of our lessons.
-  std::size_t glided = 0;
-  for (const std::string lesson : {"signed-distance", "ray-plane-dot", "plane-plane", "line-line-closest"}) {
-    const LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
-    if (!library.find(lesson))
-      continue;
-    const AnimatedScene scene = animated(lesson);
-    const auto motion = motionOf("steps", scene);
-    const auto &steps = scene.lesson->steps;
-    const double length = motion->seconds() / static_cast<double>(steps.size());
-    for (std::size_t i = 1; i < steps.size(); ++i) {
-      const Extents before = extentsOf(contentBy(scene, &steps[i - 1]).figure);
-      const Extents after = extentsOf(contentBy(scene, &steps[i]).figure);
-      const Extents now = extentsOf(motion->at(length * static_cast<double>(i) + 0.1).content.figure);
-      for (const auto &[mark, extent] : after)
-        if (before.contains(mark) && before.at(mark) != extent) {
-          ++glided;
-          EXPECT_NE(now.at(mark), extent) << lesson << " " << mark;
-        }
-    }
-  }
-  RecordProperty("glided", static_cast<int>(glided));
-}
-
 TEST(StepsMotion, OfNoLessonOrOfAChosenStep_IsRefused) {
   AnimatedScene scene = animated("signed-distance");
   scene.step = 1;

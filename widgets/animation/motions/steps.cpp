@@ -1,12 +1,8 @@
 // A lesson's steps one after the other, as the window turns to them.
 #include "lessons/figure/added_marks.h"
-#include "lessons/figure/extents.h"
 #include "lessons/words.h"
 #include "widgets/animation/staged_scene.h"
-#include "widgets/view/extent_glide.h"
 #include "widgets/view/mark_fade.h"
-
-#include <QEasingCurve>
 
 #include <algorithm>
 #include <utility>
@@ -56,18 +52,12 @@ public:
   }
 
 private:
-  /// So many seconds after it has come in the place of another, new marks fade in, and how far others are
-  /// drawn glides.
+  /// So many seconds after it has come in the place of another, new marks fade in. All else is as it was: it
+  /// is one scene.
   [[nodiscard]] static SceneContent arriving(const SceneContent &before, SceneContent content, double since) {
     const double faded = partOf(since, MarkFade::fadeTime);
-    const double glided = partOf(since, ExtentGlide::glideTime);
     if (faded < 1)
       content.arrival = {idsAdded(before.figure, content.figure), faded};
-    if (glided < 1) {
-      const double part = QEasingCurve(QEasingCurve::InOutCubic).valueForProgress(glided);
-      const Extents extents = between(extentsOf(before.figure), extentsOf(content.figure), part);
-      content.figure = heldAt(std::move(content.figure), extents);
-    }
     return content;
   }
 
