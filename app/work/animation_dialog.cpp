@@ -82,6 +82,7 @@ AnimationDialog::AnimationDialog(QWidget *parent)
 
 void AnimationDialog::setScene(const AnimatedScene &scene) {
   const QString chosen = m_motion->currentText();
+  const QSignalBlocker untold(m_motion); // what is chosen there may stay so, with its time
   m_offers.clear();
   m_motion->clear();
   for (const MotionKind &kind : motionKinds())
@@ -89,7 +90,10 @@ void AnimationDialog::setScene(const AnimatedScene &scene) {
       m_offers.push_back({&kind, (*motion)->seconds()});
       m_motion->addItem(QString::fromStdString(kind.title));
     }
-  m_motion->setCurrentIndex(std::max(0, m_motion->findText(chosen)));
+  const int row = m_motion->findText(chosen);
+  m_motion->setCurrentIndex(std::max(0, row));
+  if (row < 0)
+    takeMotion();
 }
 
 AnimationChoices AnimationDialog::choices() const {

@@ -41,7 +41,7 @@ private:
   SceneView &m_scene;
   const WindowLook &m_look;
   Messages m_messages;
-  AnimationDialog *m_dialog; ///< the window's
+  AnimationDialog *m_dialog = nullptr; ///< the window's; made when it is first asked for
   JobProgress m_progress;
   LatestJob m_job; ///< ended before the rest of this
 };
