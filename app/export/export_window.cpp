@@ -152,7 +152,10 @@ void ExportWindow::takeChoices() {
 
 void ExportWindow::askForPreview() {
   m_rest.stop();
-  FigureRequest wanted = m_figure.requestFor(choices());
+  ++m_chosen;
+  ExportChoices seen = choices();
+  seen.carriesSession = seen.carriesSession && seen.hasCode; // it is seen in the code alone
+  FigureRequest wanted = m_figure.requestFor(seen);
   m_pane->setAccessibleDescription(QString::fromStdString(wanted.subject.description));
   m_previews.ask([this, request = std::move(wanted), room = m_pane->room()](FigureStudio &studio) {
     auto preview = previewOf(studio, request.subject, request.choices, room);
@@ -180,17 +183,19 @@ void ExportWindow::takePreview(const Result<FigurePreview> &preview, bool isTran
 void ExportWindow::askForFile(const QString &saveTo) {
   if (!m_save->isEnabled() && saveTo.isEmpty())
     return; // what is asked for comes first
-  m_files.ask([this, saveTo, request = m_figure.requestFor(choices())](FigureStudio &studio) {
-    auto figure = studio.maker.file(request.subject, request.choices);
-    return [this, saveTo, figure = std::move(figure)] {
-      if (!saveTo.isEmpty())
-        write(figure, saveTo);
-      else if (!figure)
-        complain(QString::fromStdString(figure.problem().sentence));
-      else if (!m_rest.isActive() && !m_previews.isBusy())
-        m_size->setText(m_size->text() + ", " + bytesInWords(figure->content.size()));
-    };
-  });
+  m_files.ask(
+      [this, saveTo, chosen = m_chosen, request = m_figure.requestFor(choices())](FigureStudio &studio) {
+        auto figure = studio.maker.file(request.subject, request.choices);
+        return [this, saveTo, chosen, figure = std::move(figure)] {
+          if (!saveTo.isEmpty())
+            return write(figure, saveTo);
+          if (chosen != m_chosen)
+            return; // something else is chosen by now
+          if (!figure)
+            return complain(QString::fromStdString(figure.problem().sentence));
+          m_size->setText(m_size->text() + ", " + bytesInWords(figure->content.size()));
+        };
+      });
 }
 
 void ExportWindow::askAndSave() {
@@ -251,6 +256,11 @@ void ExportWindow::setBusy(bool isBusy) {
   m_copy->setEnabled(!isBusy);
   if (isBusy)
     tell(tr("The figure is being drawn …"));
+}
+
+void ExportWindow::reject() {
+  if (m_save->isEnabled())
+    QDialog::reject();
 }
 
 void ExportWindow::done(int result) {

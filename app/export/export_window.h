@@ -38,6 +38,8 @@ public:
   /// Puts it on the clipboard once it is drawn.
   void copy();
 
+  /// Not while the figure is being drawn that is to be saved or copied.
+  void reject() override;
   void done(int result) override;
 
 signals:
@@ -70,6 +72,7 @@ private:
   QLabel *m_message;
   QPushButton *m_save = nullptr;
   QPushButton *m_copy = nullptr;
+  int m_chosen = 0;            ///< counts what has been chosen
   QTimer m_rest;               ///< nobody has chosen anything for a moment
   FigureWorkshop m_previews{}; ///< ended before the rest of this, as the next
   FigureWorkshop m_files{};

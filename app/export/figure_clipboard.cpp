@@ -39,7 +39,7 @@ Result<CopiedFigure> copiedFigure(FigureMaker &maker, const FigureSubject &subje
   for (const auto &[ending, content] : {std::pair(".png", &CopiedFigure::png),
                                         {".svg", &CopiedFigure::svg},
                                         {".tex", &CopiedFigure::latex}}) {
-    choices.format = figureFormatOf(std::string("figure") + ending);
+    choices.format = figureFormatWith(ending);
     auto file = maker.file(subject, choices);
     if (!file)
       return file.problem();

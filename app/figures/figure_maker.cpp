@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -45,16 +46,19 @@ SceneContent chosen(SceneContent content, const FigureChoices &choices) {
   return content;
 }
 
-Problem tooLarge() { return {words("There is not enough memory for this picture."), "", 0, ""}; }
-
-Result<DrawnPicture> flatPicture(const FlatPicture &flat, const View &view, const FigureChoices &choices,
-                                 const Typesetter &typesetter) {
+/// What is made; or a sentence where there is not enough memory for it.
+template <class Make> auto madeInMemory(const Make &make) -> decltype(make()) {
   try {
-    return DrawnPicture{drawFlat(chosen(flat.seenFrom(view), choices), choices.theme, view,
-                                 choices.isTransparent, typesetter)};
+    return make();
   } catch (const std::bad_alloc &) {
-    return tooLarge();
+    return Problem{words("There is not enough memory for this picture."), "", 0, ""};
   }
+}
+
+DrawnPicture flatPicture(const FlatPicture &flat, const View &view, const FigureChoices &choices,
+                         const Typesetter &typesetter) {
+  return DrawnPicture{
+      drawFlat(chosen(flat.seenFrom(view), choices), choices.theme, view, choices.isTransparent, typesetter)};
 }
 
 std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const FigureChoices &choices,
@@ -81,6 +85,14 @@ FigureMaker::FigureMaker(const Typesetter &typesetter)
       m_painter(labelSetter(typesetter.fonts()), labelPainter(typesetter)) {}
 
 Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureChoices &choices) {
+  return madeInMemory([&] { return madeFile(subject, choices); });
+}
+
+Result<DrawnPicture> FigureMaker::picture(const FigureSubject &subject, const FigureChoices &choices) {
+  return madeInMemory([&] { return madePicture(subject, choices); });
+}
+
+Result<FigureFile> FigureMaker::madeFile(const FigureSubject &subject, const FigureChoices &choices) {
   const auto code = codeBeside(subject, choices);
   if (!code)
     return code.problem();
@@ -94,7 +106,7 @@ Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureC
       drawn = withQrCode(std::move(drawn), **code);
     file.content = vectors->write(drawn, m_typesetter.fonts(), choices.text);
   } else {
-    auto drawn = picture(subject, choices);
+    auto drawn = madePicture(subject, choices);
     if (!drawn)
       return drawn.problem();
     RgbaImage &image = *drawn;
@@ -112,7 +124,7 @@ Result<FigureFile> FigureMaker::file(const FigureSubject &subject, const FigureC
   return file;
 }
 
-Result<DrawnPicture> FigureMaker::picture(const FigureSubject &subject, const FigureChoices &choices) {
+Result<DrawnPicture> FigureMaker::madePicture(const FigureSubject &subject, const FigureChoices &choices) {
   const auto [view, page] = framingOf(subject, choices);
   auto whole = [&, &view = view]() -> Result<DrawnPicture> {
     if (subject.flat)
@@ -151,7 +163,8 @@ Framing FigureMaker::framingOf(const FigureSubject &subject, const FigureChoices
     view.camera = subject.camera;
   if (!choices.isCropped)
     return wholeOf(view);
-  return croppedTo(view, [&](const View &seen) { return drawnOn(seen, subject, choices); });
+  const int longestSide = choices.format->vectors ? std::numeric_limits<int>::max() : maxPictureSide;
+  return croppedTo(view, longestSide, [&](const View &seen) { return drawnOn(seen, subject, choices); });
 }
 
 std::optional<PixelBox> FigureMaker::drawnOn(const View &view, const FigureSubject &subject,

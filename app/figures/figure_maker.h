@@ -64,6 +64,9 @@ public:
                                           const View &view);
 
 private:
+  // Both may run out of memory.
+  [[nodiscard]] Result<FigureFile> madeFile(const FigureSubject &subject, const FigureChoices &choices);
+  [[nodiscard]] Result<DrawnPicture> madePicture(const FigureSubject &subject, const FigureChoices &choices);
   /// What is drawn of a subject on a view.
   [[nodiscard]] std::optional<PixelBox> drawnOn(const View &view, const FigureSubject &subject,
                                                 const FigureChoices &choices);

@@ -37,7 +37,10 @@ double pageStart(double middle, double length, double side) {
 
 Framing wholeOf(const View &view) { return {view, view.box()}; }
 
-Framing croppedTo(const View &view, const std::function<std::optional<PixelBox>(const View &)> &drawnOn) {
+Framing croppedTo(const View &view, int longestSide,
+                  const std::function<std::optional<PixelBox>(const View &)> &drawnOn) {
+  const double mostFactor = std::clamp(
+      static_cast<double>(longestSide) / std::max(view.size.width, view.size.height), 1.0, mostMagnified);
   const double width = view.size.width;
   const glm::dvec2 most(width, std::round(width * highestPage));
   double factor = 1;
@@ -46,10 +49,10 @@ Framing croppedTo(const View &view, const std::function<std::optional<PixelBox>(
   for (int step = 0; drawn && step < mostSteps; ++step) {
     const glm::dvec2 fits = most / grown(*drawn, margin * view.pixelRatio).extent();
     const double fit = std::min(fits.x, fits.y);
-    const bool isLargest = factor >= mostMagnified && fit >= 1;
+    const bool isLargest = factor >= mostFactor && fit >= 1;
     if (isLargest || (fit >= 1 && fit * wellFilled <= 1))
       break;
-    factor = std::min(factor * (fit < 1 ? fit * (1 + wellFilled) / 2 : fit), mostMagnified);
+    factor = std::min(factor * (fit < 1 ? fit * (1 + wellFilled) / 2 : fit), mostFactor);
     larger = magnified(view, factor);
     drawn = drawnOn(larger);
   }

@@ -6,6 +6,8 @@
 namespace halfspace {
 namespace {
 
+constexpr int unbounded = 1'000'000;
+
 View viewOf(PixelSize size) { return {{}, size, 1}; }
 
 /// As if a drawing took this part of a view, and labels of a fixed size beside it.
@@ -24,7 +26,7 @@ TEST(Framing, OfAWholeView_IsAllOfIt) {
 
 TEST(Framing, Cropped_IsAsWideAsTheView_AndAroundWhatIsDrawn) {
   const auto drawnOn = drawing({-0.4, -0.2}, {0.5, 0.2}, 30);
-  const Framing framing = croppedTo(viewOf({1600, 1000}), drawnOn);
+  const Framing framing = croppedTo(viewOf({1600, 1000}), unbounded, drawnOn);
   const PixelBox drawn = *drawnOn(framing.view);
   EXPECT_EQ(framing.page.extent().x, 1600);
   EXPECT_LE(framing.page.low.x, drawn.low.x);
@@ -37,7 +39,7 @@ TEST(Framing, Cropped_IsAsWideAsTheView_AndAroundWhatIsDrawn) {
 
 TEST(Framing, CroppedToWhatIsTall_IsNoHigherThanAFigureMayBe) {
   const auto drawnOn = drawing({-0.05, -0.45}, {0.05, 0.45}, 0);
-  const Framing framing = croppedTo(viewOf({600, 1000}), drawnOn);
+  const Framing framing = croppedTo(viewOf({600, 1000}), unbounded, drawnOn);
   const PixelBox drawn = *drawnOn(framing.view);
   EXPECT_EQ(framing.page.extent().x, 600);
   EXPECT_LE(framing.page.extent().y, 600 * highestPage);
@@ -48,14 +50,21 @@ TEST(Framing, CroppedToWhatIsTall_IsNoHigherThanAFigureMayBe) {
 }
 
 TEST(Framing, CroppedToADot_IsNotMagnifiedWithoutEnd) {
-  const Framing framing = croppedTo(viewOf({600, 400}), drawing({0, 0}, {0.001, 0.001}, 0));
+  const Framing framing = croppedTo(viewOf({600, 400}), unbounded, drawing({0, 0}, {0.001, 0.001}, 0));
   EXPECT_LE(framing.view.size.width, 3 * 600);
   EXPECT_EQ(framing.page.extent().x, 600);
 }
 
+TEST(Framing, Cropped_GrowsNoLargerThanItMay) {
+  const Framing framing = croppedTo(viewOf({600, 400}), 700, drawing({0, 0}, {0.1, 0.1}, 0));
+  EXPECT_LE(framing.view.size.width, 700);
+  EXPECT_EQ(framing.page.extent().x, 600);
+  EXPECT_EQ(croppedTo(viewOf({600, 400}), 100, drawing({0, 0}, {0.1, 0.1}, 0)).view.size.width, 600);
+}
+
 TEST(Framing, CroppedToNothing_IsTheWholeView) {
   const Framing framing =
-      croppedTo(viewOf({600, 400}), [](const View &) { return std::optional<PixelBox>(); });
+      croppedTo(viewOf({600, 400}), unbounded, [](const View &) { return std::optional<PixelBox>(); });
   EXPECT_EQ(framing.page, (PixelBox{{0, 0}, {600, 400}}));
 }
 
