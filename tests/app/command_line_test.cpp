@@ -47,8 +47,8 @@ TEST_F(Program, ManualPageAndCompletion_KnowEveryOptionThatIsInAHelp) {
   std::string page = run("manual-page").out;
   page = std::regex_replace(page, std::regex(R"(\\-)"), "-");
   const std::set<std::string> inPage = optionsIn(page);
-  for (const std::string command :
-       {"", "lessons", "new-lesson", "constructions", "check", "explain", "render", "handout", "eval"}) {
+  for (const std::string command : {"", "lessons", "new-lesson", "constructions", "check", "explain",
+                                    "render", "handout", "animate", "eval"}) {
     const Ran completed = run("complete-words " + command + " --");
     const std::set<std::string> offered = optionsIn(completed.out);
     for (const std::string &option : optionsIn(run(command + " --help").out)) {
