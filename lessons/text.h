@@ -40,6 +40,11 @@ struct Character {
 [[nodiscard]] inline std::size_t characterLength(std::string_view text) {
   return firstCharacter(text).length;
 }
+/// How many bytes of a text ≠ "" stand together: those of its first character, or one that is none's.
+[[nodiscard]] inline std::size_t lengthOfFirst(std::string_view text) {
+  const std::size_t length = characterLength(text);
+  return length > 0 ? length : 1;
+}
 
 /// Whether a byte goes on with a character that began before it.
 [[nodiscard]] constexpr bool continuesCharacter(char byte) {

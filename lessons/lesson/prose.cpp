@@ -64,9 +64,6 @@ const Replacement *find(const std::array<Replacement, size> &table, std::string_
   return found == table.end() ? nullptr : &*found;
 }
 
-/// The bytes of the character that a text ≠ "" begins with; one of what is none.
-std::size_t lengthOfFirst(std::string_view text) { return std::max<std::size_t>(characterLength(text), 1); }
-
 /// Each character raised or lowered; nothing when one has no such form.
 template <std::size_t size>
 std::string inSmall(const std::array<Replacement, size> &table, std::string_view text) {

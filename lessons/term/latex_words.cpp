@@ -70,7 +70,7 @@ bool isKnownToPdflatex(std::string_view character) {
 std::string latexWords(std::string_view text) {
   std::string latex;
   while (!text.empty()) {
-    const std::string_view character = text.substr(0, std::max<std::size_t>(characterLength(text), 1));
+    const std::string_view character = text.substr(0, lengthOfFirst(text));
     const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
                                     [&](const TextLatex &each) { return each.text == character; });
     if (known != textCharacters.end())

@@ -71,9 +71,8 @@ struct Place {
 std::vector<Place> charactersOf(std::string_view text) {
   std::vector<Place> characters;
   while (!text.empty()) {
-    const Character first = firstCharacter(text);
-    const std::size_t length = std::max<std::size_t>(first.length, 1); // a byte that is no text stands alone
-    characters.push_back({first.code, text.substr(0, length)});
+    const std::size_t length = lengthOfFirst(text);
+    characters.push_back({firstCharacter(text).code, text.substr(0, length)});
     text.remove_prefix(length);
   }
   return characters;

@@ -4,8 +4,6 @@
 #include "lessons/words.h"
 #include "widgets/formula/lay_out.h"
 
-#include <algorithm>
-
 namespace halfspace::math {
 namespace {
 
@@ -19,7 +17,7 @@ std::string onOneLine(std::string_view text) {
   for (text = trimmed(text); !text.empty() && characters < longestSource; ++characters) {
     const std::string_view rest = trimmed(text);
     const auto spaces = static_cast<std::size_t>(rest.data() - text.data());
-    const std::size_t length = std::max<std::size_t>(spaces > 0 ? spaces : characterLength(text), 1);
+    const std::size_t length = spaces > 0 ? spaces : lengthOfFirst(text);
     line += spaces > 0 ? " " : text.substr(0, length);
     text.remove_prefix(length);
   }

@@ -113,7 +113,7 @@ private:
   /// A word wider than the column, as an address may be, letter by letter.
   void addLetters(std::string_view word, TextLook look) {
     while (!word.empty()) {
-      const std::size_t length = std::max<std::size_t>(characterLength(word), 1);
+      const std::size_t length = lengthOfFirst(word);
       Box box;
       box.look = look;
       box.word = setWord(word.substr(0, length), look, m_plan.size, m_fonts);

@@ -55,15 +55,15 @@ public:
 
   SetWord make(std::string_view text) {
     while (!text.empty()) {
-      const Character first = firstCharacter(text);
-      const std::string_view bytes = text.substr(0, std::max<std::size_t>(first.length, 1));
+      const char32_t character = firstCharacter(text).code;
+      const std::string_view bytes = text.substr(0, lengthOfFirst(text));
       text.remove_prefix(bytes.size());
-      if (const SmallForm *form = smallFormOf(first.code)) {
+      if (const SmallForm *form = smallFormOf(character)) {
         endRun();
         addSmall(*form, bytes);
         continue;
       }
-      const math::FontFace *face = &faceWith(first.code, m_wanted, m_fonts);
+      const math::FontFace *face = &faceWith(character, m_wanted, m_fonts);
       if (face != m_face)
         endRun();
       m_face = face;
