@@ -264,6 +264,12 @@ Fade withheld(const Working &working) {
   return fade;
 }
 
+WorkingLine asDemand(WorkingLine line) {
+  for (Chain &chain : line.chains)
+    chain = chain.asDemand();
+  return line;
+}
+
 std::string questionText(const WorkingLine &line, const Gap &gap) {
   return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, askedChain(line));
 }

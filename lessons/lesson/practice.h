@@ -36,6 +36,10 @@ struct Fade {
 /// Asks for nothing, and shows symbols only wherever there are numbers.
 [[nodiscard]] Fade withheld(const Working &working);
 
+/// The line, in which nothing of what is demanded tells whether it can be met: a crossed sign of equality
+/// would give away what is asked.
+[[nodiscard]] WorkingLine asDemand(WorkingLine line);
+
 /// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
 [[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
 

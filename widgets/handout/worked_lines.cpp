@@ -1,6 +1,5 @@
 #include "widgets/handout/worked_lines.h"
 
-#include "lessons/construction/working.h"
 #include "lessons/scene/evaluation.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/formula/term_formula.h"
@@ -26,13 +25,6 @@ math::Row rowWithGap(const WorkingLine &line, const Gap &gap) {
   for (const LinePiece piece : linePieces)
     row = math::row(std::move(row), formulaOf(line, piece, gap, roomToWrite).row);
   return row;
-}
-
-/// Nothing of what is demanded in it tells whether it can be met.
-WorkingLine asDemand(WorkingLine line) {
-  for (Chain &chain : line.chains)
-    chain = chain.asDemand();
-  return line;
 }
 
 class LineBlocks {

@@ -11,10 +11,8 @@ ShownLines::ShownLines(Working working, LineRange range, Fade fade)
     : m_working(std::move(working)), m_fade(std::move(fade)) {
   const std::size_t end = std::min(range.end, m_working.lines.size());
   for (std::size_t i = range.begin; i < end; ++i) {
-    WorkingLine &line = m_lines.emplace_back(m_working.lines[i]);
-    if (hides(line.id)) // a crossed sign of equality would tell what is asked
-      for (Chain &chain : line.chains)
-        chain = chain.asDemand();
+    const WorkingLine &line = m_working.lines[i];
+    m_lines.push_back(hides(line.id) ? asDemand(line) : line);
   }
 }
 
