@@ -89,6 +89,13 @@ TEST(FillPages, KeepsFiguresInTheirOrder) {
   EXPECT_EQ(heightsOn(pages[1]), (Heights{50, 20}));
 }
 
+TEST(FillPages, KeepsAHeadingWithWhatFollows_WhereAFigureTakesMostOfTheNextColumn) {
+  const auto pages = fillPages({}, {chunkOf(85), floating(85), chunkOf(10, true), chunkOf(11)}, lookOf(1));
+  ASSERT_EQ(pages.size(), 3U);
+  EXPECT_EQ(heightsOn(pages[1]), Heights{85});
+  EXPECT_EQ(heightsOn(pages[2]), (Heights{10, 11}));
+}
+
 TEST(FillPages, BeginsAllColumnsOfTheFirstPageBelowItsTitle) {
   const auto pages = fillPages({chunkOf(30)}, {chunkOf(40), chunkOf(50)}, lookOf(2));
   ASSERT_EQ(pages.size(), 1U);

@@ -41,17 +41,19 @@ private:
   }
 
   void fillIn(std::vector<Chunk> &chunks, std::size_t begin, std::size_t end) {
-    double height = m_isEmpty ? 0 : chunks[begin].gapAbove;
+    double height = 0;
     for (std::size_t i = begin; i < end; ++i)
       height += chunks[i].height + (i > begin ? chunks[i].gapAbove : 0);
-    const bool fits = m_y + height <= bottom() + rounding;
-    if (chunks[begin].floats && (!fits || !m_floats.empty())) { // figures keep their order
+    const auto fits = [&, gap = chunks[begin].gapAbove] {
+      return m_y + (m_isEmpty ? 0 : gap) + height <= bottom() + rounding;
+    };
+    if (chunks[begin].floats && (!fits() || !m_floats.empty())) { // figures keep their order
       m_floats.push_back(std::move(chunks[begin]));
       return;
     }
-    const bool fitsIntoColumn = height <= m_look.textHeight();
-    if (!fits && fitsIntoColumn)
-      beginColumn();
+    if (height <= m_look.textHeight())
+      while (!fits()) // a figure that has waited may take the next column
+        beginColumn();
     for (std::size_t i = begin; i < end; ++i) {
       while (!m_isEmpty && m_y + chunks[i].gapAbove + chunks[i].height > bottom() + rounding)
         beginColumn();

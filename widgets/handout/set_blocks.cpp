@@ -64,6 +64,7 @@ private:
   /// The mark of a list's item, while nothing of the item is set.
   struct Mark {
     std::string text;
+    double left;
     std::size_t element;
     std::size_t order;
   };
@@ -106,8 +107,7 @@ private:
   Chunk chunkOf(SetLine line) {
     Chunk chunk;
     chunk.height = line.ascent + line.depth;
-    if (const auto mark = std::exchange(m_mark, {}))
-      addMark(*mark, line.ascent, chunk);
+    addMarks(line.ascent, chunk);
     for (SetThing &thing : line.things)
       chunk.things.push_back(moved(std::move(thing), {m_frame.left, line.ascent}));
     return chunk;
@@ -123,11 +123,11 @@ private:
     }
   }
 
-  void addMark(const Mark &mark, double ascent, Chunk &chunk) const {
-    const SetWord word = setWord(mark.text, {}, m_frame.size, m_fonts);
-    for (const SetWord::Part &part : word.parts)
-      chunk.things.push_back(
-          moved({part.text, mark.element, mark.order}, {m_frame.left - listIndent * m_frame.size, ascent}));
+  /// Beside the first line of an item. It is that of several lists where an item begins with another list.
+  void addMarks(double ascent, Chunk &chunk) {
+    for (const Mark &mark : std::exchange(m_marks, {}))
+      for (const SetWord::Part &part : setWord(mark.text, {}, m_frame.size, m_fonts).parts)
+        chunk.things.push_back(moved({part.text, mark.element, mark.order}, {mark.left, ascent}));
   }
 
   void set(const HeadingBlock &heading) {
@@ -164,6 +164,7 @@ private:
     Chunk chunk;
     chunk.height = (formula.ascent + formula.depth) * part.size;
     part.start = {m_frame.left + indent, formula.ascent * part.size};
+    addMarks(part.start.y, chunk);
     addFillIns(part, chunk);
     const std::size_t element = m_order.add("Formula", m_frame.element, formulaEntries(part.plain));
     std::string plain = part.plain;
@@ -206,7 +207,7 @@ private:
   static std::string_view takeLetters(std::string_view &text, std::size_t count) {
     std::size_t length = 0;
     while (count-- > 0 && length < text.size())
-      length += std::max<std::size_t>(characterLength(text.substr(length)), 1);
+      length += lengthOfFirst(text.substr(length));
     const std::string_view taken = text.substr(0, length);
     text.remove_prefix(taken.size());
     return taken;
@@ -241,7 +242,7 @@ private:
     for (const ListItem &item : list.items) {
       const std::size_t element = m_order.add("LI", m_frame.element);
       const std::size_t label = m_order.add("Lbl", element);
-      m_mark = Mark{item.mark, label, m_order.next()};
+      m_marks.push_back({item.mark, m_frame.left, label, m_order.next()});
       const bool isTight = std::exchange(m_isTight, true);
       const Frame items = m_frame;
       m_frame.element = element;
@@ -249,7 +250,7 @@ private:
       m_frame = items;
       m_isTight = isTight;
     }
-    m_mark.reset();
+    m_marks.clear();
     m_frame = around;
     askGap(m_isTight ? itemGap * leading() : paragraphGap * leading());
   }
@@ -302,7 +303,7 @@ private:
   std::vector<Chunk> m_chunks;
   double m_gap = 0;
   bool m_isTight = false; ///< inside of a list
-  std::optional<Mark> m_mark;
+  std::vector<Mark> m_marks;
 };
 
 } // namespace

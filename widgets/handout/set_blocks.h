@@ -7,8 +7,7 @@
 
 namespace halfspace {
 
-/// Pieces of a column of a width, from top to bottom. `document` is the element that they stand in. None is
-/// higher than a column.
+/// Pieces of a column of a width, from top to bottom. `document` is the element that they stand in.
 [[nodiscard]] std::vector<Chunk> setBlocks(const HandoutBlocks &blocks, double width, const HandoutLook &look,
                                            const HandoutFonts &fonts, ReadingOrder &order,
                                            std::size_t document);
