@@ -123,6 +123,13 @@ TEST(HandoutText, OfAFigureThatWasPrinted_NamesIt) {
   EXPECT_TRUE(has(text, "# Two\nSee figure 1.\n")) << text;
 }
 
+TEST(HandoutText, TellsTheSameOfFigures_BelowTheFirstOfThem) {
+  const std::string text = textOf(*library().find("signed-distance"));
+  const std::string told = "is positive: Q lies on the side that n points to";
+  EXPECT_TRUE(has(text, "Figure 3.\n")) << text;
+  EXPECT_EQ(text.find(told), text.rfind(told)) << text;
+}
+
 TEST(HandoutText, PutsAFigureBehindWhatLeadsToAFormula) {
   const std::string text = textOf(lessonWith("## One\nSee:\n```lines\nf\n```\nEnd.\n"));
   EXPECT_LT(text.find("= 30"), text.find("Figure 1.")) << text;

@@ -196,6 +196,7 @@ private:
     m_printed.push_back({marks, m_counts.figures});
   }
 
+  /// What is to be seen is told below the first of several figures of which the same is true.
   [[nodiscard]] FigureBlock newFigure() {
     const double beside = (m_look.columnWidth() - m_look.leading()) / 2;
     const bool isPair = m_request.lesson.flat && beside >= leastFigure;
@@ -205,7 +206,7 @@ private:
       return figure; // it has no number
     const std::string label = words("Figure {number}.", {{"number", std::to_string(++m_counts.figures)}});
     figure.caption.emplace_back(StyledWords{label, {.strong = true}});
-    if (!withholds()) {
+    if (!withholds() && std::exchange(m_told, figure.description) != figure.description) {
       figure.caption.emplace_back(StyledWords{" "});
       append(figure.caption, inlineText(figure.description));
     }
@@ -252,6 +253,7 @@ private:
   std::size_t m_line = 0;  ///< the first that is not told yet
   std::size_t m_block = 0; ///< likewise, of lines
   std::vector<Printed> m_printed;
+  std::string m_told; ///< of the scene, below the last figure that said something of it
   Counts m_counts;
 };
 
