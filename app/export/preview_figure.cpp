@@ -2,6 +2,7 @@
 
 #include "app/figures/paint_drawing.h"
 #include "widgets/colors.h"
+#include "widgets/exports/lengths.h"
 #include "widgets/exports/qr_beside.h"
 #include "widgets/typeset/label_painter.h"
 
@@ -9,12 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
-constexpr double pointsPerInch = 72;
-constexpr double millimetresPerInch = 25.4;
 /// No screen shows more of a preview at a time.
 constexpr double mostAcross = 4096;
 
@@ -77,11 +77,11 @@ QImage emptyImage(glm::dvec2 size, const QColor &ground) {
   return image;
 }
 
-/// A page with a figure, and maybe with the code beside it, in the units of its file: points or pixels.
-class PreviewPage {
+/// A page with a figure of pixels, and maybe with the code beside it.
+class PixelPage {
 public:
   /// `module`: the side of a module of the code.
-  PreviewPage(glm::dvec2 figure, const std::optional<QrCode> &code, double module)
+  PixelPage(glm::dvec2 figure, const std::optional<QrCode> &code, double module)
       : m_figure(figure), m_code(code), m_side(code ? module * (code->side + 2 * quietModules) : 0) {}
 
   [[nodiscard]] glm::dvec2 size() const { return {m_figure.x + m_side, std::max(m_figure.y, m_side)}; }
@@ -117,8 +117,8 @@ std::optional<PreviewShapes> shapesOf(FigureMaker &maker, const FigureSubject &s
 Result<FigurePreview> pixelPreview(FigureMaker &maker, const FigureSubject &subject,
                                    const FigureChoices &choices, const std::optional<QrCode> &code,
                                    const PreviewRoom &room) {
-  const PreviewPage page(maker.framingOf(subject, choices).page.extent(), code,
-                         modulePixels(choices.pixelsPerInch()));
+  const PixelPage page(maker.framingOf(subject, choices).page.extent(), code,
+                       modulePixels(choices.pixelsPerInch()));
   const double factor = pixelFactor(page.size(), choices, room);
   const FigureChoices previewed = finer(choices, factor);
   const auto picture = maker.picture(subject, previewed);
@@ -132,20 +132,21 @@ Result<FigurePreview> pixelPreview(FigureMaker &maker, const FigureSubject &subj
 
 FigurePreview vectorPreview(FigureStudio &studio, const FigureSubject &subject, const FigureChoices &choices,
                             const std::optional<QrCode> &code, const PreviewRoom &room) {
-  const Drawing drawing = studio.maker.drawing(subject, choices);
-  const PreviewPage page(drawing.size, code, moduleMillimetres / millimetresPerInch * pointsPerInch);
+  Drawing page = studio.maker.drawing(subject, choices);
+  const glm::dvec2 figure = page.size;
+  if (code)
+    page = withQrCode(std::move(page), *code);
   const double factor = bounded(
-      room.pixelsPerInch ? *room.pixelsPerInch / pointsPerInch : fitOf(page.size(), room.size), page.size());
-  QImage figure = emptyImage(drawing.size * factor, Qt::transparent);
-  QPainter painter(&figure);
+      room.pixelsPerInch ? *room.pixelsPerInch / pointsPerInch : fitOf(page.size, room.size), page.size);
+  QImage image = emptyImage(page.size * factor, Qt::transparent);
+  QPainter painter(&image);
   painter.scale(factor, factor);
-  paintDrawing(painter, drawing, studio.typesetter.fonts());
+  paintDrawing(painter, page, studio.typesetter.fonts());
   painter.end();
-  const QColor ground = drawing.ground ? toQColor(*drawing.ground) : QColor(Qt::transparent);
-  return {page.painted(figure, factor, ground),
-          {page.size(), {}},
-          drawing.leavesOutSurfaces,
-          shapesOf(studio.maker, subject, choices, page.perFigure())};
+  return {std::move(image),
+          {page.size, {}},
+          page.leavesOutSurfaces,
+          shapesOf(studio.maker, subject, choices, page.size / figure)};
 }
 
 } // namespace

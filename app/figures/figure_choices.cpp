@@ -8,8 +8,6 @@
 namespace halfspace {
 namespace {
 
-constexpr double pointsPerInch = 72;
-
 std::vector<FigureFormat> allFormats() {
   std::vector<FigureFormat> formats{{"PNG", ".png"}};
   for (const ExportFormat &format : exportFormats())

@@ -65,15 +65,10 @@ TEST(QrBeside, AFigureOfVectors_MakesThePageWiderByItsSide) {
   EXPECT_DOUBLE_EQ(zone[0].high.y, 300);
 }
 
-TEST(QrBeside, AFigureThatIsLowerOrNarrowerThanIt_LeavesNothingOffThePage) {
+TEST(QrBeside, AFigureThatIsLowerThanIt_LeavesNothingOffThePage) {
   const Drawing right = withQrCode(figure({200, 30}), code());
   EXPECT_DOUBLE_EQ(right.size.y, side());
   EXPECT_DOUBLE_EQ(rectanglesOf(right.parts.at(1))[0].low.y, 0);
-  const Drawing below = withQrCode(figure({20, 30}), code(), QrPlace::BelowFigure);
-  EXPECT_DOUBLE_EQ(below.size.x, side());
-  EXPECT_DOUBLE_EQ(below.size.y, 30 + side());
-  EXPECT_DOUBLE_EQ(rectanglesOf(below.parts.at(1))[0].low.x, 0);
-  EXPECT_DOUBLE_EQ(rectanglesOf(below.parts.at(1))[0].low.y, 30);
 }
 
 TEST(QrBeside, AFigureOfVectors_IsBlackOnWhite_EachDarkModuleInOneRectangle) {
@@ -147,13 +142,12 @@ TEST(QrBeside, AFigureOfPixels_HasModulesOfWholePixels_AndLeavesTheFigureAsItIs)
   }
 }
 
-TEST(QrBeside, AFigureOfPixels_IsReadAtEveryResolution_BesideItAndBelow) {
-  for (const double dpi : {96.0, 150.0, 300.0, 600.0})
-    for (const QrPlace place : {QrPlace::RightOfFigure, QrPlace::BelowFigure}) {
-      const auto codes = read(withQrCode(grey(300, 200), code(), dpi, night, place));
-      ASSERT_EQ(codes.size(), 1U) << dpi;
-      EXPECT_EQ(*sessionInQrText(codes[0].text), session);
-    }
+TEST(QrBeside, AFigureOfPixels_IsReadAtEveryResolution) {
+  for (const double dpi : {96.0, 150.0, 300.0, 600.0}) {
+    const auto codes = read(withQrCode(grey(300, 200), code(), dpi, night));
+    ASSERT_EQ(codes.size(), 1U) << dpi;
+    EXPECT_EQ(*sessionInQrText(codes[0].text), session);
+  }
 }
 
 } // namespace

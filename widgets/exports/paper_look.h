@@ -1,15 +1,13 @@
 // What a figure looks like on paper.
 #pragma once
 
+#include "widgets/exports/lengths.h"
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"
 
 #include <optional>
 
 namespace halfspace {
-
-/// Centimetres in points.
-inline constexpr double pointsPerCentimetre = 72 / 2.54;
 
 /// How those parts of lines are drawn that something stands before.
 enum class HiddenLines {

@@ -2,7 +2,7 @@
 
 #include "lessons/words.h"
 #include "widgets/exports/append.h"
-#include "widgets/exports/paper_look.h"
+#include "widgets/exports/lengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +14,13 @@ namespace {
 constexpr Color black{0, 0, 0};
 constexpr Color white{0xFF, 0xFF, 0xFF};
 
-constexpr double millimetresPerCentimetre = 10;
-constexpr double millimetresPerInch = 25.4;
-
 /// Where a square of some side goes beside a figure, and how large both are together, y down.
 template <class Vector> struct Layout {
   Vector corner{}; ///< the square's, at the top left
   Vector size{};
 };
 
-template <class Vector, class Number> Layout<Vector> layOut(Vector figure, Number side, QrPlace place) {
-  if (place == QrPlace::BelowFigure)
-    return {{0, figure.y}, {std::max(figure.x, side), figure.y + side}};
+template <class Vector, class Number> Layout<Vector> layOut(Vector figure, Number side) {
   const Number height = std::max(figure.y, side);
   return {{figure.x, height - side}, {figure.x + side, height}};
 }
@@ -118,9 +113,9 @@ RgbaImage plainImage(glm::ivec2 size, std::optional<Color> ground) {
 
 } // namespace
 
-Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place) {
-  const double module = moduleMillimetres / millimetresPerCentimetre * pointsPerCentimetre;
-  const auto [corner, size] = layOut(drawing.size, module * (code.side + 2 * quietModules), place);
+Drawing withQrCode(Drawing drawing, const QrCode &code) {
+  const double module = moduleMillimetres * pointsPerMillimetre;
+  const auto [corner, size] = layOut(drawing.size, module * (code.side + 2 * quietModules));
   append(drawing.parts, partsOf(code, corner, module));
   drawing.size = size;
   drawing.description = withSentence(drawing.description,
@@ -129,14 +124,14 @@ Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place) {
 }
 
 int modulePixels(double pixelsPerInch) {
-  return static_cast<int>(std::ceil(moduleMillimetres / millimetresPerInch * pixelsPerInch));
+  return static_cast<int>(std::ceil(moduleMillimetres * pointsPerMillimetre / pointsPerInch * pixelsPerInch));
 }
 
 RgbaImage withQrCode(const RgbaImage &image, const QrCode &code, double pixelsPerInch,
-                     std::optional<Color> ground, QrPlace place) {
+                     std::optional<Color> ground) {
   const int module = modulePixels(pixelsPerInch);
   const int side = module * (code.side + 2 * quietModules);
-  const auto [corner, size] = layOut(glm::ivec2(image.width, image.height), side, place);
+  const auto [corner, size] = layOut(glm::ivec2(image.width, image.height), side);
   RgbaImage together = plainImage(size, ground);
   for (int row = 0; row < image.height; ++row)
     std::copy_n(image.rgba.data() + 4 * static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width),

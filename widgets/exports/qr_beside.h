@@ -7,13 +7,10 @@
 
 namespace halfspace {
 
-/// Where the page grows: by the code with its quiet zone, and more where the figure is narrower or lower than
-/// the code. The code stands at the bottom, or at the left.
-enum class QrPlace { RightOfFigure, BelowFigure };
-
 /// The drawing with a code, whose modules are `moduleMillimetres` wide, and its description with a sentence
-/// that tells of it. The code is black on white, whatever the page is painted with.
-[[nodiscard]] Drawing withQrCode(Drawing drawing, const QrCode &code, QrPlace place = QrPlace::RightOfFigure);
+/// that tells of it. The page grows by the code with its quiet zone, which stands at the right, at the
+/// bottom. The code is black on white, whatever the page is painted with.
+[[nodiscard]] Drawing withQrCode(Drawing drawing, const QrCode &code);
 
 /// The side of a module in an image of so many pixels an inch, which are above 0: whole pixels, as many as
 /// make it at least `moduleMillimetres`.
@@ -22,6 +19,6 @@ enum class QrPlace { RightOfFigure, BelowFigure };
 /// The image with a code, whose modules are so many whole pixels wide. What the image grows by beside the
 /// code has the colour of the ground, or is clear where there is none.
 [[nodiscard]] RgbaImage withQrCode(const RgbaImage &image, const QrCode &code, double pixelsPerInch,
-                                   std::optional<Color> ground, QrPlace place = QrPlace::RightOfFigure);
+                                   std::optional<Color> ground);
 
 } // namespace halfspace

@@ -1,11 +1,12 @@
 #include "widgets/handout/handout_look.h"
 
+#include "widgets/exports/lengths.h"
+
 namespace halfspace {
 namespace {
 
 constexpr glm::dvec2 a4{595.276, 841.89};
 constexpr glm::dvec2 letter{612, 792};
-constexpr double pointsPerMillimetre = 72 / 25.4;
 /// As wide as some 75 letters of the type.
 constexpr double singleColumn = 148 * pointsPerMillimetre;
 constexpr double singleType = 11;
