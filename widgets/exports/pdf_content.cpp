@@ -113,11 +113,11 @@ void PdfContent::beginMark(const std::string &tag) { m_text += tag + "BDC\n"; }
 
 void PdfContent::endMark() { m_text += "EMC\n"; }
 
-std::string PdfContent::opacities() const {
-  std::string states;
+std::map<std::string, std::string> PdfContent::opacities() const {
+  std::map<std::string, std::string> states;
   for (const auto &[fill, pen] : m_opacities)
-    states += opacityName(fill, pen) + "<</ca " + pageNumber(fill / percent) + "/CA " +
-              pageNumber(pen / percent) + ">>";
+    states[opacityName(fill, pen)] =
+        "<</ca " + pageNumber(fill / percent) + "/CA " + pageNumber(pen / percent) + ">>";
   return states;
 }
 

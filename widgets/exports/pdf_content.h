@@ -4,6 +4,7 @@
 #include "widgets/exports/drawing.h"
 #include "widgets/exports/pdf_fonts.h"
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -47,8 +48,8 @@ public:
   void endMark();
 
   [[nodiscard]] const std::string &text() const { return m_text; }
-  /// What the opacities of the page are called, for its resources.
-  [[nodiscard]] std::string opacities() const;
+  /// The opacities that the page uses, by their names in it.
+  [[nodiscard]] std::map<std::string, std::string> opacities() const;
 
 private:
   [[nodiscard]] std::string opacityText(double fill, double pen);

@@ -31,14 +31,26 @@ private:
     std::string kids;
     for (const PdfPage &page : m_document.pages) {
       const int content = m_file.addStream(page.content);
-      m_pages.push_back(m_file.add("<</Type/Page/Parent " + pdfReference(m_tree) + "/MediaBox" +
-                                   pdfBox({}, page.size) + "/Contents " + pdfReference(content) +
-                                   "/StructParents " + std::to_string(m_pages.size()) +
-                                   "/Tabs/S/Group<</S/Transparency/CS/DeviceRGB>>/Resources<</Font<<" +
-                                   m_embedded.resources() + ">>/ExtGState<<" + page.opacities + ">>>>>>"));
+      m_pages.push_back(m_file.add(
+          "<</Type/Page/Parent " + pdfReference(m_tree) + "/MediaBox" + pdfBox({}, page.size) + "/Contents " +
+          pdfReference(content) + "/StructParents " + std::to_string(m_pages.size()) +
+          "/Tabs/S/Group<</S/Transparency/CS/DeviceRGB>>/Resources<</Font<<" + m_embedded.resources() +
+          ">>/ExtGState<<" + opacityEntries(page) + ">>>>>>"));
       kids += pdfReference(m_pages.back()) + " ";
     }
     m_file.put(m_tree, "<</Type/Pages/Count " + std::to_string(m_pages.size()) + "/Kids[" + kids + "]>>");
+  }
+
+  /// Objects of their own, each once: LibreOffice loses those that stand within the page.
+  std::string opacityEntries(const PdfPage &page) {
+    std::string entries;
+    for (const auto &[name, content] : page.opacities) {
+      const auto [known, isNew] = m_opacities.try_emplace(name, 0);
+      if (isNew)
+        known->second = m_file.add(content);
+      entries += name + " " + pdfReference(known->second);
+    }
+    return entries;
   }
 
   /// What an element has in it, by its place in the order of reading.
@@ -121,10 +133,11 @@ private:
   const PdfDocument &m_document;
   const PdfFonts &m_embedded;
   PdfFile m_file;
-  int m_tree = 0;              ///< the object of the pages
-  int m_structure = 0;         ///< the object that all elements hang on
-  std::vector<int> m_pages;    ///< their objects
-  std::vector<int> m_elements; ///< likewise
+  int m_tree = 0;                         ///< the object of the pages
+  int m_structure = 0;                    ///< the object that all elements hang on
+  std::vector<int> m_pages;               ///< their objects
+  std::map<std::string, int> m_opacities; ///< the objects of these, by name
+  std::vector<int> m_elements;            ///< likewise
 };
 
 } // namespace

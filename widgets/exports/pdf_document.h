@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +13,9 @@
 namespace halfspace {
 
 struct PdfPage {
-  glm::dvec2 size{};       ///< in points
-  std::string content{};   ///< as PdfContent writes it
-  std::string opacities{}; ///< likewise
+  glm::dvec2 size{};                              ///< in points
+  std::string content{};                          ///< as PdfContent writes it
+  std::map<std::string, std::string> opacities{}; ///< likewise
 };
 
 /// A part of the document as the format has it: a paragraph, a figure.
