@@ -1,6 +1,7 @@
 #include "app/animate_options.h"
 
 #include "app/figure_options.h"
+#include "app/option_text.h"
 #include "lessons/words.h"
 
 #include <CLI/CLI.hpp>
@@ -10,21 +11,13 @@
 namespace halfspace {
 namespace {
 
-Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
-
 std::string motionNames(const std::string &separator) {
-  std::string names;
-  for (const MotionKind &kind : motionKinds())
-    names += (names.empty() ? "" : separator) + kind.name;
-  return names;
+  return joinedNames(motionKinds(), &MotionKind::name, separator);
 }
 
 /// GIF, MP4 …, or .gif, .mp4 …: what animations can be written as.
 std::string formats(std::string AnimationFormat::*part) {
-  std::string list;
-  for (const AnimationFormat &format : animationFormats())
-    list += (list.empty() ? "" : ", ") + format.*part;
-  return list;
+  return joinedNames(animationFormats(), part, ", ");
 }
 
 Result<int> framesPerSecondOf(const std::string &text) {

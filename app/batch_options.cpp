@@ -1,5 +1,6 @@
 #include "app/batch_options.h"
 
+#include "app/option_text.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -7,60 +8,18 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
-/// Higher numbers of steps and of shards are typing errors.
-constexpr int highestStep = 1000;
+/// Higher numbers are typing errors.
 constexpr std::size_t mostShards = 1'000'000;
 
 /// Options that say which figures are made and where to, not what they look like.
 constexpr std::array choosingOptions{"help",   "output", "step",  "steps", "frame",
                                      "frames", "rows",   "shard", "all",   "changed"};
-
-Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
-
-/// A whole number from 1 on.
-template <class Number> std::optional<Number> parseCount(std::string_view text, Number most) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > most)
-    return {};
-  return value;
-}
-
-/// 4, or 4-6.
-std::optional<std::pair<int, int>> parseStepRange(std::string_view text) {
-  const auto hyphen = text.find('-');
-  const auto first = parseCount(text.substr(0, hyphen), highestStep);
-  const auto last =
-      hyphen == std::string_view::npos ? first : parseCount(text.substr(hyphen + 1), highestStep);
-  if (!first || !last || *last < *first)
-    return {};
-  return std::pair(*first, *last);
-}
-
-/// 2,4-6: each step once, in their order.
-Result<std::vector<int>> parseSteps(const std::string &text) {
-  std::vector<int> steps;
-  for (const std::string_view part : partsOf(text, ",")) {
-    const auto range = parseStepRange(part);
-    if (!range)
-      return refused(
-          words("--steps takes numbers of steps, as 2,4-6, or nothing for each of them; not “{steps}”. "
-                "Lessons and files stand before it.",
-                {{"steps", shortened(text)}}));
-    for (int step = range->first; step <= range->second; ++step)
-      steps.push_back(step);
-  }
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
-}
 
 /// 2/8
 Result<Shard> parseShard(const std::string &text) {
@@ -140,7 +99,10 @@ std::optional<Problem> takeBatchOptions(const BatchOptions &options, const CLI::
   if (!options.steps.empty()) {
     auto steps = parseSteps(options.steps);
     if (!steps)
-      return steps.problem();
+      return refused(
+          words("--steps takes numbers of steps, as 2,4-6, or nothing for each of them; not “{steps}”. "
+                "Lessons and files stand before it.",
+                {{"steps", shortened(options.steps)}}));
     command.steps = std::move(*steps);
   }
   command.allLessons = options.allLessons;

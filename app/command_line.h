@@ -73,18 +73,12 @@ struct RenderCommand {
   Shard shard{};
 };
 
-/// Steps of a lesson, counted from 1, up to the last.
-struct StepRange {
-  int first = 1;
-  int last = 1;
-};
-
 /// Write a lesson as pages to be handed out.
 struct HandoutCommand {
   std::string subject;
   std::vector<std::string> assignments;
   std::string output;
-  std::vector<StepRange> steps{}; ///< none: all
+  std::vector<int> steps{}; ///< counted from 1, in their order; none: all
   HandoutPaper paper = HandoutPaper::A4;
   int columns = 1; ///< 1 or 2
   HiddenLines hidden = HiddenLines::Dashed;

@@ -1,13 +1,13 @@
 #include "app/figure_options.h"
 
 #include "app/figures/figure_words.h"
+#include "app/option_text.h"
 #include "lessons/words.h"
 #include "widgets/scene/offscreen.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace halfspace {
@@ -18,49 +18,25 @@ std::optional<PixelSize> parseSize(const std::string &text) {
   const auto x = text.find_first_of("xX");
   if (x == std::string::npos)
     return {};
-  const auto parse = [](std::string_view part) -> std::optional<int> {
-    int value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > maxPictureSide)
-      return {};
-    return value;
-  };
-  const auto width = parse(std::string_view(text).substr(0, x));
-  const auto height = parse(std::string_view(text).substr(x + 1));
+  const auto width = parseCount(std::string_view(text).substr(0, x), maxPictureSide);
+  const auto height = parseCount(std::string_view(text).substr(x + 1), maxPictureSide);
   if (!width || !height)
     return {};
-  return PixelSize{*width, *height};
-}
-
-/// A positive number that is taken off the front of a text.
-std::optional<double> takePositive(std::string_view &text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !(value > 0))
-    return {};
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return value;
+  return PixelSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
 /// A positive length in points: 8cm, 80mm or 226pt.
 std::optional<double> parseLength(std::string_view text) {
   const auto value = takePositive(text);
   for (const auto &[name, points] :
-       {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerCentimetre / 10}, {"pt", 1.0}})
+       {std::pair("cm", pointsPerCentimetre), {"mm", pointsPerMillimetre}, {"pt", 1.0}})
     if (value && text == name)
       return *value * points;
   return {};
 }
 
-Problem refused(const std::string &sentence) { return {sentence, "", 0, ""}; }
-
 /// PNG, SVG, PDF …, or .png, .svg, .pdf …: what figures can be written as.
-std::string formats(std::string FigureFormat::*part) {
-  std::string list;
-  for (const FigureFormat &format : figureFormats())
-    list += (list.empty() ? "" : ", ") + format.*part;
-  return list;
-}
+std::string formats(std::string FigureFormat::*part) { return joinedNames(figureFormats(), part, ", "); }
 
 Result<PaperSize> paperSizeOf(const FigureOptions &options) {
   const auto width = parseLength(options.width);
@@ -106,11 +82,6 @@ std::optional<Problem> uselessOption(const FigureFormat &format, const FigureOpt
 
 } // namespace
 
-std::optional<double> parsePositive(std::string_view text) {
-  const auto value = takePositive(text);
-  return text.empty() ? value : std::nullopt;
-}
-
 Result<PixelSize> sizeOf(const std::string &text) {
   if (const auto size = parseSize(text))
     return *size;
@@ -119,10 +90,7 @@ Result<PixelSize> sizeOf(const std::string &text) {
 }
 
 std::string themeNames(const std::string &separator) {
-  std::string names;
-  for (const Theme &theme : themes())
-    names += (names.empty() ? "" : separator) + theme.name;
-  return names;
+  return joinedNames(themes(), &Theme::name, separator);
 }
 
 Result<Theme> themeOf(const std::string &name) {

@@ -6,7 +6,6 @@
 #include "lessons/result.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -46,8 +45,6 @@ void addHiddenOption(CLI::App &command, std::string &hidden);
 
 // What other pictures are asked for in the same way.
 
-/// All of a text is a positive number; nothing where it is none.
-[[nodiscard]] std::optional<double> parsePositive(std::string_view text);
 /// Of a picture, as 1600x1000; or a sentence that refuses it.
 [[nodiscard]] Result<PixelSize> sizeOf(const std::string &text);
 [[nodiscard]] Result<Theme> themeOf(const std::string &name);

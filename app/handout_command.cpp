@@ -6,8 +6,6 @@
 #include "lessons/words.h"
 #include "widgets/typeset/typesetter.h"
 
-#include <algorithm>
-
 namespace halfspace {
 namespace {
 
@@ -15,17 +13,12 @@ namespace {
 Result<std::vector<std::size_t>> stepsOf(const HandoutCommand &command, const Lesson &lesson) {
   if (command.steps.empty())
     return allStepsOf(lesson);
-  const auto count = static_cast<int>(lesson.steps.size());
   std::vector<std::size_t> steps;
-  for (const auto &[first, last] : command.steps) {
-    if (last > count)
-      return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(count)}}), "", 0,
-                     "--steps"};
-    for (int step = first; step <= last; ++step)
-      if (const auto index = static_cast<std::size_t>(step) - 1;
-          std::find(steps.begin(), steps.end(), index) == steps.end())
-        steps.push_back(index);
-  }
+  for (const int step : command.steps)
+    steps.push_back(static_cast<std::size_t>(step) - 1);
+  if (steps.back() >= lesson.steps.size())
+    return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(lesson.steps.size())}}),
+                   "", 0, "--steps"};
   return steps;
 }
 

@@ -1,5 +1,6 @@
 #include "app/shown_options.h"
 
+#include "app/option_text.h"
 #include "lessons/words.h"
 
 #include <CLI/CLI.hpp>
@@ -14,10 +15,7 @@ constexpr const char *showOption = "--show";
 constexpr const char *withoutOption = "--without";
 
 std::string partNames(const std::string &separator) {
-  std::string names;
-  for (const ShownPartName &each : shownPartNames)
-    names += (names.empty() ? "" : separator) + std::string(each.name);
-  return names;
+  return joinedNames(shownPartNames, &ShownPartName::name, separator);
 }
 
 void addParts(CLI::App &command, const char *option, std::vector<std::string> &names,
@@ -28,8 +26,6 @@ void addParts(CLI::App &command, const char *option, std::vector<std::string> &n
       ->allow_extra_args(false) // what follows is another word
       ->take_all();
 }
-
-Problem refused(std::string sentence) { return {std::move(sentence), "", 0, ""}; }
 
 /// Switches parts on or off; a sentence for a name of none.
 std::optional<Problem> switchParts(ShownParts &shown, const char *option,
