@@ -1,6 +1,7 @@
 #include "app/export/export_choices.h"
 
 #include "app/figures/figure_words.h"
+#include "widgets/carriers/carrier.h"
 #include "widgets/scene/offscreen.h"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ ShownParts shownPartsIn(const QJsonObject &json) {
 } // namespace
 
 const FigureFormat &ExportChoices::format() const { return *figureFormatWith(ending); }
+
+bool ExportChoices::mayTellScene() const { return carriesSession || !carrierWith(ending); }
 
 FigureChoices figureChoicesOf(const ExportChoices &choices, PixelSize screen, double designRatio) {
   FigureChoices figure;

@@ -28,6 +28,8 @@ struct ExportChoices {
   bool operator==(const ExportChoices &) const = default;
 
   [[nodiscard]] const FigureFormat &format() const;
+  /// Whether the scene may be in the file or beside the figure. Files that carry none give nothing away.
+  [[nodiscard]] bool mayTellScene() const;
 };
 
 /// For a figure that is framed as on a screen of so many pixels, a design pixel of which has so many of them.

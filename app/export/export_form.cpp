@@ -45,6 +45,12 @@ void ExportForm::alignFields() {
     section->setWordsWidth(width);
 }
 
+int ExportForm::wholeHeight() const {
+  const QLayout &column = *widget()->layout(); // its notes are higher where it is narrower
+  const int width = minimumWidth() - verticalScrollBar()->sizeHint().width();
+  return column.hasHeightForWidth() ? column.totalHeightForWidth(width) : column.totalSizeHint().height();
+}
+
 void ExportForm::fill(const ExportChoices &choices) {
   m_choices = choices;
   for (ExportSection *section : m_sections) {

@@ -18,6 +18,8 @@ public:
   /// Fills all fields, and tells of no change.
   void fill(const ExportChoices &choices);
   [[nodiscard]] const ExportChoices &choices() const { return m_choices; }
+  /// Where nothing of it needs to be scrolled to.
+  [[nodiscard]] int wholeHeight() const;
 
 signals:
   void changed(); ///< by the user

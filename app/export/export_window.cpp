@@ -33,18 +33,18 @@
 namespace halfspace {
 namespace {
 
-/// The usual size of the whole, in letters and lines; on a small screen this part of it.
+/// The usual width of the whole, in letters; on a small screen this part of it.
 constexpr int lettersInAll = 130;
-constexpr int usualLines = 42;
 constexpr double mostOfScreen = 0.9;
 /// Nothing was chosen for so long, in milliseconds: the file is made to tell its size.
 constexpr int rest = 300;
 /// … unless that takes too long, as it has more pixels than this.
 constexpr double mostPixelsUnasked = 4e6;
 
-QSize usualSize(const QWidget &window) {
+/// As high as all choices are.
+QSize usualSize(const QWidget &window, const ExportForm &form) {
   const QSize size(lettersInAll * window.fontMetrics().averageCharWidth(),
-                   usualLines * window.fontMetrics().lineSpacing());
+                   window.sizeHint().height() - form.sizeHint().height() + form.wholeHeight());
   return size.boundedTo(window.screen()->availableSize() * mostOfScreen);
 }
 
@@ -73,7 +73,8 @@ ExportWindow::ExportWindow(SessionModel &model, const WindowFigure &figure, cons
   connect(m_pane, &PreviewPane::roomChanged, this, &ExportWindow::askForPreview);
   followLabels(model);
   connect(&m_rest, &QTimer::timeout, this, [this] { askForFile(); });
-  resize(usualSize(*this));
+  ensurePolished(); // as high as it is in its style
+  resize(usualSize(*this, *m_form));
 }
 
 const ExportChoices &ExportWindow::choices() const { return m_form->choices(); }
@@ -141,8 +142,12 @@ QBoxLayout *ExportWindow::previewColumn() {
 
 void ExportWindow::followLabels(SessionModel &model) {
   connect(&model, &SessionModel::outcomeChanged, this, &ExportWindow::askForPreview);
-  auto *undo = new QShortcut(QKeySequence::Undo, this);
-  connect(undo, &QShortcut::activated, m_labels, &PreviewLabels::undo);
+  const auto addKeys = [this](QKeySequence::StandardKey keys, void (PreviewLabels::*act)()) {
+    for (const QKeySequence &each : QKeySequence::keyBindings(keys))
+      connect(new QShortcut(each, this), &QShortcut::activated, m_labels, act);
+  };
+  addKeys(QKeySequence::Undo, &PreviewLabels::undo);
+  addKeys(QKeySequence::Redo, &PreviewLabels::redo);
 }
 
 void ExportWindow::takeChoices() {
@@ -259,7 +264,8 @@ void ExportWindow::setBusy(bool isBusy) {
 }
 
 void ExportWindow::reject() {
-  if (m_save->isEnabled())
+  const bool isDrawing = !m_save->isEnabled();
+  if (!m_labels->putBackHeld() && !isDrawing)
     QDialog::reject();
 }
 

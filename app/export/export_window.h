@@ -38,7 +38,7 @@ public:
   /// Puts it on the clipboard once it is drawn.
   void copy();
 
-  /// Not while the figure is being drawn that is to be saved or copied.
+  /// Not while the figure is being drawn that is to be saved or copied. A label that is held goes back first.
   void reject() override;
   void done(int result) override;
 

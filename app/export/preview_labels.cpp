@@ -5,6 +5,7 @@
 #include "lessons/scene/change_words.h"
 #include "widgets/session_model.h"
 
+#include <QKeySequence>
 #include <QMenu>
 
 namespace halfspace {
@@ -56,6 +57,15 @@ void PreviewLabels::letGo() {
   m_model.history().endGesture(m_gesture);
 }
 
+bool PreviewLabels::putBackHeld() {
+  if (!m_held)
+    return false;
+  m_held.reset();
+  m_pane.setHand(true, false);
+  m_model.history().cancelGesture(m_gesture);
+  return true;
+}
+
 void PreviewLabels::openMenu(QPointF part, const QPoint &at) {
   QMenu menu;
   if (const std::string mark = markAt(part); !mark.empty()) {
@@ -90,7 +100,18 @@ void PreviewLabels::fillMenu(QMenu &menu) {
     if (label.isHidden)
       add(mark, QString::fromStdString(mark), true);
   menu.addSeparator();
+  addUndoAndRedo(menu);
   addPutAllBack(menu);
+}
+
+void PreviewLabels::addUndoAndRedo(QMenu &menu) {
+  const auto add = [&](const QString &words, QKeySequence::StandardKey key, bool isEnabled) {
+    QAction *item = menu.addAction(words + '\t' + QKeySequence(key).toString(QKeySequence::NativeText));
+    item->setEnabled(isEnabled);
+    return item;
+  };
+  connect(add(tr("&Undo"), QKeySequence::Undo, canUndo()), &QAction::triggered, this, &PreviewLabels::undo);
+  connect(add(tr("&Redo"), QKeySequence::Redo, canRedo()), &QAction::triggered, this, &PreviewLabels::redo);
 }
 
 void PreviewLabels::addPutAllBack(QMenu &menu) {
@@ -108,9 +129,22 @@ void PreviewLabels::change(const ChangeLabel &change) {
   m_model.history().edit(change, QString::fromStdString(wordsForLabel(change)));
 }
 
+bool PreviewLabels::canUndo() const { return m_model.history().index() > m_stepsBefore; }
+
+bool PreviewLabels::canRedo() const { return m_undone > 0 && m_model.history().redoText(); }
+
 void PreviewLabels::undo() {
-  if (m_model.history().index() > m_stepsBefore)
-    m_model.history().undo();
+  if (!canUndo())
+    return;
+  m_model.history().undo();
+  ++m_undone;
+}
+
+void PreviewLabels::redo() {
+  if (!canRedo())
+    return;
+  m_model.history().redo();
+  --m_undone;
 }
 
 } // namespace halfspace

@@ -29,8 +29,12 @@ public:
   void fillMenu(QMenu &menu);
   /// Takes back what was done here last; what was done before stays.
   void undo();
+  /// Does again what was taken back here.
+  void redo();
   /// A label that is held stays where it is.
   void letGo();
+  /// A label that is held goes back to where it was taken; false where none is.
+  bool putBackHeld();
 
 private:
   /// The pixel of the shapes' view at a part of the way through the page.
@@ -43,6 +47,9 @@ private:
   void openMenu(QPointF part, const QPoint &at);
   void change(const ChangeLabel &change);
   void addPutAllBack(QMenu &menu);
+  [[nodiscard]] bool canUndo() const;
+  [[nodiscard]] bool canRedo() const;
+  void addUndoAndRedo(QMenu &menu);
 
   SessionModel &m_model;
   PreviewPane &m_pane;
@@ -51,6 +58,7 @@ private:
   std::optional<HeldLabel> m_held;
   GestureToken m_gesture = GestureToken::Nobodys;
   int m_stepsBefore; ///< in the history
+  int m_undone = 0;  ///< steps that were taken back here
 };
 
 } // namespace halfspace

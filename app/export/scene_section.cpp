@@ -6,20 +6,7 @@
 #include <QFormLayout>
 #include <QLabel>
 
-#include <algorithm>
-
 namespace halfspace {
-namespace {
-
-/// Null for a format that carries none.
-const Carrier *carrierWith(const std::string &ending) {
-  const auto found = std::find_if(carriers().begin(), carriers().end(),
-                                  [&](const Carrier &carrier) { return carrier.ending == ending; });
-  return found == carriers().end() ? nullptr : &*found;
-}
-
-} // namespace
-
 SceneSection::SceneSection()
     : ExportSection(tr("Scene")), m_carriesSession(new QCheckBox(tr("File can be &opened again"))),
       m_code(new QCheckBox(tr("&QR code beside the figure"))), m_note(new QLabel) {
@@ -43,7 +30,7 @@ void SceneSection::fill(const ExportChoices &choices) {
 void SceneSection::enableFor(const ExportChoices &choices) {
   const Carrier *carrier = carrierWith(choices.ending);
   m_carriesSession->setEnabled(carrier);
-  m_code->setEnabled(choices.carriesSession); // without a scene there is nothing to write into it
+  m_code->setEnabled(choices.mayTellScene()); // without a scene there is nothing to write into it
   m_note->setText(!carrier ? tr("A file of this format carries no scene.")
                   : choices.carriesSession
                       ? QString::fromStdString(carrier->lostBy())

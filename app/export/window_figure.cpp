@@ -18,7 +18,7 @@ FigureRequest WindowFigure::requestFor(const ExportChoices &choices) const {
     subject.flat = m_flat.picture();
   subject.title = m_model.lesson().title;
   subject.description = m_model.shown().description;
-  if (choices.carriesSession)
+  if (choices.mayTellScene())
     subject.session = writeSession(m_model.session());
   const ViewScreen &screen = m_scene.screen();
   return {std::move(subject), figureChoicesOf(choices, screen.size(), screen.designRatio())};

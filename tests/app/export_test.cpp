@@ -4,6 +4,7 @@
 #include "app/export/figure_export.h"
 #include "app/export/preview_pane.h"
 #include "lessons/scene/file/session_file.h"
+#include "tests/app/box_answerer.h"
 #include "tests/app/window_fixture.h"
 
 #include <QApplication>
@@ -14,14 +15,12 @@
 #include <QFile>
 #include <QImage>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
@@ -93,25 +92,6 @@ std::optional<QPoint> labelIn(QWidget &page) {
     }
   return {};
 }
-
-/// Answers the next message box.
-class BoxAnswerer {
-public:
-  explicit BoxAnswerer(QMessageBox::StandardButton answer) {
-    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this, answer] {
-      if (auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget())) {
-        m_timer.stop();
-        wasAsked = true;
-        box->button(answer)->click();
-      }
-    });
-    m_timer.start(20);
-  }
-  bool wasAsked = false;
-
-private:
-  QTimer m_timer;
-};
 
 /// The clipboard as it lies there, for another to put there again.
 std::unique_ptr<QMimeData> onlyOf(const char *type) {
@@ -252,6 +232,11 @@ private slots:
     fixture.field<QCheckBox>("session").click();
     QVERIFY(!fixture.field<QCheckBox>("code").isEnabled());
     QCOMPARE(QImage::fromData(fixture.saved()).width(), without.width());
+    fixture.choose("format", ".tex"); // which carries no scene that could be left out
+    QVERIFY(fixture.field<QCheckBox>("code").isEnabled());
+    const QByteArray withCode = fixture.saved(".tex");
+    fixture.field<QCheckBox>("code").click();
+    QVERIFY(withCode.size() > fixture.saved(".tex").size());
   }
 
   void parts_thatAreLeftOut_areNotInTheFile() {
@@ -289,6 +274,28 @@ private slots:
     QVERIFY(fixture.model().session().scene == before);
     QTest::keyClick(&fixture.exports(), Qt::Key_Z, Qt::ControlModifier); // there is nothing more to undo
     QVERIFY(fixture.model().session().scene == before);
+    QTest::keyClick(&fixture.exports(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(fixture.model().session() == moved);
+    QTest::keyClick(&fixture.exports(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(fixture.model().session() == moved);
+  }
+
+  void label_thatIsHeld_goesBackWithEscape_andTheWindowStays() {
+    ExportFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Scene before = fixture.model().session().scene;
+    QWidget &page = *fixture.exports().findChild<PreviewPane *>()->widget();
+    const auto label = labelIn(page);
+    QVERIFY(label);
+    QTest::mousePress(&page, Qt::LeftButton, {}, *label);
+    moveIn(page, *label + QPoint(40, 30), Qt::LeftButton);
+    QVERIFY(fixture.model().session().scene != before);
+    QTest::keyClick(&fixture.exports(), Qt::Key_Escape);
+    QVERIFY(fixture.model().session().scene == before);
+    QVERIFY(fixture.exports().isVisible());
+    QTest::mouseRelease(&page, Qt::LeftButton, {}, *label + QPoint(40, 30));
+    QTest::keyClick(&fixture.exports(), Qt::Key_Escape);
+    QVERIFY(!fixture.exports().isVisible());
   }
 
   void label_takenAndDeleted_isHidden_andComesBackByTheMenu() {
@@ -460,14 +467,14 @@ private slots:
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
     const Session changed = fixture.model().session();
     {
-      const BoxAnswerer no(QMessageBox::Cancel);
+      const BoxAnswerer no("Cancel");
       fixture.action(QKeySequence::Paste)->trigger();
-      QVERIFY(no.wasAsked);
+      QVERIFY(!no.text.isEmpty());
     }
     QVERIFY(fixture.model().session() == changed);
-    const BoxAnswerer discard(QMessageBox::Discard);
+    const BoxAnswerer discard("Discard");
     fixture.action(QKeySequence::Paste)->trigger();
-    QVERIFY(discard.wasAsked);
+    QVERIFY(!discard.text.isEmpty());
     QVERIFY(!(fixture.model().session() == changed));
     QVERIFY(!fixture.window.files().file());
   }

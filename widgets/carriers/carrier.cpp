@@ -16,6 +16,13 @@ const Carrier *carrierOf(std::string_view file) {
   return nullptr;
 }
 
+const Carrier *carrierWith(const std::string &ending) {
+  for (const Carrier &carrier : carriers())
+    if (carrier.ending == ending)
+      return &carrier;
+  return nullptr;
+}
+
 std::vector<std::string> pictureEndings() {
   std::vector<std::string> endings;
   for (const Carrier &carrier : carriers())

@@ -33,6 +33,9 @@ struct Carrier {
 /// That of a file, by how it begins, whatever it is called; null for none of them.
 [[nodiscard]] const Carrier *carrierOf(std::string_view file);
 
+/// That of files with such an ending; null where these carry none.
+[[nodiscard]] const Carrier *carrierWith(const std::string &ending);
+
 /// How the files end that may hold the session of a picture, with dots, in small letters: those of all
 /// carriers, and photographs, in which a QR code is looked for.
 [[nodiscard]] std::vector<std::string> pictureEndings();
