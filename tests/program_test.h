@@ -38,6 +38,7 @@ protected:
   [[nodiscard]] const std::filesystem::path &folder() const { return m_folder; }
   [[nodiscard]] std::filesystem::path inFolder(const std::string &name) const { return m_folder / name; }
 
+  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
   void write(const std::string &name, const std::string &text) const {
     std::ofstream(inFolder(name), std::ios::binary) << text;
   }

@@ -11,9 +11,6 @@ namespace {
 
 class Animations : public Program {
 protected:
-  [[nodiscard]] bool has(const std::string &program) const {
-    return shell("command -v " + program + " >.out 2>.err").status == 0;
-  }
   /// The names in a folder of the test's, in order; unfinished files among them.
   [[nodiscard]] std::vector<std::string> filesIn(const std::string &name) const {
     std::vector<std::string> names;
@@ -23,11 +20,6 @@ protected:
     return names;
   }
   void makeFolder(const std::string &name) const { std::filesystem::create_directory(inFolder(name)); }
-  /// Starts a command, tells it to end once a condition of the shell holds, and says how it ended.
-  Ran runUntil(const std::string &condition, const std::string &arguments) const {
-    return shell("{ env -u DISPLAY '" + std::string(HALFSPACE_PROGRAM) + "' " + arguments +
-                 " >.out 2>.err & } ; until " + condition + "; do sleep 0.05; done; kill -TERM $!; wait $!");
-  }
 };
 
 /// How far the colours of two pictures are from one another, on average, of 255.

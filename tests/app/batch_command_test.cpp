@@ -1,6 +1,7 @@
 // Many figures from one command.
 #include "tests/app/command_fixture.h"
 
+#include <csignal>
 #include <set>
 
 namespace halfspace {
@@ -10,7 +11,6 @@ namespace fs = std::filesystem;
 
 class Batch : public Program {
 protected:
-  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
   /// All files but those that the tests write to, by their names in this folder.
   [[nodiscard]] std::set<std::string> files() const {
     std::set<std::string> names;
@@ -274,10 +274,8 @@ TEST_F(ChangedBatch, ByAnotherProgram_DrawsAll) {
 }
 
 TEST_F(Batch, ThatIsToldToEnd_LeavesWholeFilesAndSaysHowFarItCame) {
-  const Ran ran = shell(
-      "{ '" HALFSPACE_PROGRAM "' render --all -o '{lesson}-{step}.svg' --steps 2>.err & } && program=$! "
-      "&& until ls *.svg >.out 2>&1; do sleep 0.01; done && kill -TERM $program && wait $program");
-  EXPECT_EQ(ran.status, 128 + 15);
+  const Ran ran = runUntil("ls *.svg >/dev/null", "render --all -o '{lesson}-{step}.svg' --steps");
+  EXPECT_EQ(ran.status, 128 + SIGTERM);
   const auto made = files();
   EXPECT_FALSE(made.empty());
   EXPECT_EQ(ran.err.find("halfspace: Interrupted: " + std::to_string(made.size()) + " of "), 0U) << ran.err;

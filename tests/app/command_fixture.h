@@ -27,9 +27,13 @@ protected:
               const std::string &environment = "") const {
     std::filesystem::remove(inFolder(".out"));
     std::filesystem::remove(inFolder(".err"));
-    return shell("exec env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR -u QT_QPA_PLATFORM HOME='" +
-                 folder().string() + "' " + environment + " '" + m_program + "' " + arguments + " " +
-                 streams);
+    return shell("exec " + command(arguments, environment) + " " + streams);
+  }
+  /// Tells it to end as soon as a condition of the shell holds, or after a minute, and says how it ended.
+  Ran runUntil(const std::string &condition, const std::string &arguments) const {
+    return shell("{ exec " + command(arguments) +
+                 " >.out 2>.err </dev/null & } ; for wait in $(seq 3000); do { " + condition +
+                 "; } 2>/dev/null && break; sleep 0.02; done; kill -TERM $!; wait $!");
   }
 
   /// From now on it is a copy of the program that runs, which has one of our lessons, and this one.
@@ -69,6 +73,11 @@ protected:
   }
 
 private:
+  [[nodiscard]] std::string command(const std::string &arguments, const std::string &environment = "") const {
+    return "env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR -u QT_QPA_PLATFORM HOME='" +
+           folder().string() + "' " + environment + " '" + m_program + "' " + arguments;
+  }
+
   std::string m_program = HALFSPACE_PROGRAM;
 };
 

@@ -9,6 +9,7 @@
 #include "app/work/handout_export.h"
 #include "app/work/known_file.h"
 #include "lessons/scene/file/session_file.h"
+#include "tests/app/box_answerer.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/carriers/qr/qr_code.h"
 
@@ -20,7 +21,6 @@
 #include <QImage>
 #include <QLabel>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -58,26 +58,6 @@ void drop(MainWindow &window, const QString &file) {
   QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
   QCoreApplication::sendEvent(&window, &event);
 }
-
-/// Closes the next message box, and keeps what it said.
-class BoxCloser : public QObject {
-public:
-  BoxCloser() {
-    m_timer.setInterval(20);
-    QObject::connect(&m_timer, &QTimer::timeout, this, [this] {
-      if (auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget())) {
-        m_timer.stop();
-        text = box->text();
-        box->reject();
-      }
-    });
-    m_timer.start();
-  }
-  QString text; ///< empty as long as no box was there
-
-private:
-  QTimer m_timer;
-};
 
 /// A menu as it is when it opens.
 QMenu &opened(MainWindow &window, const char *name) {
@@ -140,7 +120,7 @@ private slots:
     writeTo(file, "---\nid: broken\n---\n");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const BoxCloser box;
+    const BoxAnswerer box;
     fixture.window.files().open(file);
     QVERIFY2(box.text.contains("broken.md:2: title:"), qPrintable(box.text));
     QCOMPARE(fixture.model().lesson().id, std::string("signed-distance"));
@@ -157,7 +137,7 @@ private slots:
     field.setFocus();
     field.selectAll();
     QTest::keyClicks(&field, "3/7");
-    const BoxCloser box; // which keeps the session
+    const BoxAnswerer box; // which keeps the session
     drop(fixture.window, other);
     QTRY_VERIFY2(box.text.contains("mine.halfspace"), qPrintable(box.text));
     QVERIFY(fixture.value("Q").x == Rational(3, 7));
@@ -236,7 +216,7 @@ private slots:
   void handout_thatCannotBeWritten_saysWhy() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const BoxCloser box;
+    const BoxAnswerer box;
     QVERIFY(!fixture.window.findChild<HandoutExport *>()->saveTo("/nowhere/at/all.pdf", {{0}}));
     QTRY_VERIFY2(box.text.contains("/nowhere/at/all.pdf"), qPrintable(box.text));
   }
@@ -250,7 +230,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    const BoxCloser box;
+    const BoxAnswerer box;
     fixture.window.files().open(file);
     QVERIFY2(box.text.contains("This picture holds no scene of Halfspace."), qPrintable(box.text));
     QVERIFY(fixture.model().session() == before);
@@ -354,7 +334,7 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      const BoxCloser box;
+      const BoxAnswerer box;
       fixture.window.tellPutAside();
       for (const QString &file : aside)
         QVERIFY2(box.text.contains("put aside as " + QFileInfo(file).fileName()), qPrintable(box.text));

@@ -6,12 +6,11 @@ namespace {
 
 class Handouts : public Program {
 protected:
-  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
   /// The words of a file; empty where nobody can read them.
   [[nodiscard]] std::string wordsOf(const std::string &name) const {
     return shell("pdftotext '" + name + "' - >.out 2>.err").out;
   }
-  [[nodiscard]] static bool has(const std::string &text, const std::string &part) {
+  [[nodiscard]] static bool contains(const std::string &text, const std::string &part) {
     return text.find(part) != std::string::npos;
   }
 };
@@ -28,7 +27,7 @@ TEST_F(Handouts, AreTheSameBytesAgain_AndCarryTheirScene) {
 
 TEST_F(Handouts, DrawnAnonymously_HoldNoScene) {
   EXPECT_EQ(run("handout signed-distance --anonymous -o a.pdf").status, 0);
-  EXPECT_FALSE(has(file("a.pdf"), "x-halfspace"));
+  EXPECT_FALSE(contains(file("a.pdf"), "x-halfspace"));
 }
 
 TEST_F(Handouts, OfASession_HaveItsLabelsByHand) {
@@ -46,8 +45,8 @@ TEST_F(Handouts, OfASession_HaveItsLabelsByHand) {
 TEST_F(Handouts, HaveThePaperAndTheColumnsThatAreAsked) {
   EXPECT_EQ(run("handout ray-sphere -o a.pdf").status, 0);
   EXPECT_EQ(run("handout ray-sphere -o b.pdf --paper letter --columns 2").status, 0);
-  EXPECT_TRUE(has(file("a.pdf"), "/MediaBox[0 0 595.28 841.89]"));
-  EXPECT_TRUE(has(file("b.pdf"), "/MediaBox[0 0 612 792]"));
+  EXPECT_TRUE(contains(file("a.pdf"), "/MediaBox[0 0 595.28 841.89]"));
+  EXPECT_TRUE(contains(file("b.pdf"), "/MediaBox[0 0 612 792]"));
   EXPECT_EQ(run("handout ray-sphere -o c.pdf --paper letter").status, 0);
   EXPECT_NE(file("b.pdf"), file("c.pdf")) << "one column";
 }
@@ -67,9 +66,9 @@ TEST_F(Handouts, TellAnswers_OnlyWhereTheyAreAskedTo) {
   const std::string without = wordsOf("a.pdf");
   if (without.empty())
     GTEST_SKIP() << "pdftotext is not installed";
-  EXPECT_TRUE(has(without, "Question 1."));
-  EXPECT_FALSE(has(without, "Answer:"));
-  EXPECT_TRUE(has(wordsOf("b.pdf"), "Answer:"));
+  EXPECT_TRUE(contains(without, "Question 1."));
+  EXPECT_FALSE(contains(without, "Answer:"));
+  EXPECT_TRUE(contains(wordsOf("b.pdf"), "Answer:"));
 }
 
 TEST_F(Handouts, TellWhatTheSceneComesTo) {
@@ -77,7 +76,7 @@ TEST_F(Handouts, TellWhatTheSceneComesTo) {
   const std::string told = wordsOf("a.pdf");
   if (told.empty())
     GTEST_SKIP() << "pdftotext is not installed";
-  EXPECT_TRUE(has(told, "(−4, −3, −6) = −22")) << told; // Q − P₀
+  EXPECT_TRUE(contains(told, "(−4, −3, −6) = −22")) << told; // Q − P₀
 }
 
 TEST_F(Handouts, ThatCannotBeMade_AreRefusedInASentence) {

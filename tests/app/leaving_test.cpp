@@ -1,6 +1,7 @@
 // Nothing is lost when the window closes, is told to end, or finds its file changed.
 #include "app/termination.h"
 #include "lessons/object/kinds/point.h"
+#include "tests/app/box_answerer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/mesh_files/mesh_texts.h"
 #include "widgets/carriers/found_session.h"
@@ -13,7 +14,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSemaphore>
@@ -28,34 +28,6 @@
 using namespace halfspace;
 
 namespace {
-
-/// Presses a button of the next message box, by its text, and keeps what the box said.
-class BoxAnswerer : public QObject {
-public:
-  explicit BoxAnswerer(QString button) : m_button(std::move(button)) {
-    m_timer.setInterval(50);
-    QObject::connect(&m_timer, &QTimer::timeout, this, [this] { answer(); });
-    m_timer.start();
-  }
-
-  QString text; ///< empty as long as no box was there
-
-private:
-  void answer() {
-    auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
-    if (!box)
-      return;
-    m_timer.stop();
-    text = box->text();
-    for (QAbstractButton *button : box->buttons())
-      if (button->text().remove('&') == m_button)
-        return button->click();
-    box->reject();
-  }
-
-  QString m_button;
-  QTimer m_timer;
-};
 
 /// Where Q is, and is moved to from now on: what the pointer has done last is taken when a drag ends.
 void follow(WindowFixture &fixture, ExactVec3 &place) {

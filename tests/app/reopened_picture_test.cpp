@@ -6,7 +6,6 @@ namespace {
 
 class ReopenedPicture : public Program {
 protected:
-  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
 };
 
 TEST_F(ReopenedPicture, IsExplainedAndDrawnAsItsSession) {

@@ -5,7 +5,6 @@ namespace halfspace {
 namespace {
 
 struct ShownInFigures : Program {
-  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
   /// The figure of a subject, with these options.
   std::string figure(const std::string &subject, const std::string &options,
                      const std::string &ending) const {
@@ -13,20 +12,20 @@ struct ShownInFigures : Program {
     EXPECT_EQ(ran.status, 0) << ran.err;
     return file("a" + ending);
   }
-  static bool has(const std::string &svg, const std::string &label) {
+  static bool hasLabel(const std::string &svg, const std::string &label) {
     return svg.find("aria-label=\"" + label + "\"") != std::string::npos;
   }
 };
 
 TEST_F(ShownInFigures, OfVectors_AreAsAskedFor) {
   const std::string usual = figure("signed-distance", "", ".svg");
-  EXPECT_TRUE(has(usual, "Q") && has(usual, "x") && has(usual, "10"));
+  EXPECT_TRUE(hasLabel(usual, "Q") && hasLabel(usual, "x") && hasLabel(usual, "10"));
   const std::string coordinates = figure("signed-distance", "--show coordinates", ".svg");
-  EXPECT_TRUE(has(coordinates, "Q(11, 15, 8)")) << coordinates;
+  EXPECT_TRUE(hasLabel(coordinates, "Q(11, 15, 8)")) << coordinates;
   const std::string unlabelled = figure("signed-distance", "--without labels", ".svg");
-  EXPECT_TRUE(!has(unlabelled, "Q") && has(unlabelled, "x") && has(unlabelled, "10"));
+  EXPECT_TRUE(!hasLabel(unlabelled, "Q") && hasLabel(unlabelled, "x") && hasLabel(unlabelled, "10"));
   const std::string bare = figure("signed-distance", "--without axes,grid", ".svg");
-  EXPECT_TRUE(has(bare, "Q") && !has(bare, "x") && !has(bare, "10"));
+  EXPECT_TRUE(hasLabel(bare, "Q") && !hasLabel(bare, "x") && !hasLabel(bare, "10"));
   EXPECT_LT(bare.size(), usual.size());
 }
 
@@ -39,8 +38,8 @@ TEST_F(ShownInFigures, OfPixels_AreAsAskedFor) {
 }
 
 TEST_F(ShownInFigures, OfAFlatPicture_AreItsLabels) {
-  EXPECT_TRUE(has(figure("ray-plane-picture", "--flat", ".svg"), "G"));
-  EXPECT_FALSE(has(figure("ray-plane-picture", "--flat --without labels", ".svg"), "G"));
+  EXPECT_TRUE(hasLabel(figure("ray-plane-picture", "--flat", ".svg"), "G"));
+  EXPECT_FALSE(hasLabel(figure("ray-plane-picture", "--flat --without labels", ".svg"), "G"));
 }
 
 TEST_F(ShownInFigures, OfASession_HaveItsLabelsByHand_InPixelsAndInVectors) {
@@ -54,7 +53,7 @@ TEST_F(ShownInFigures, OfASession_HaveItsLabelsByHand_InPixelsAndInVectors) {
   const auto usual = session("{}");
   const auto moved = session(R"({"Q":{"at":[4,-3],"side":"left"}})");
   const auto hidden = session(R"({"Q":{"hidden":true}})");
-  EXPECT_TRUE(has(usual.first, "Q") && has(moved.first, "Q") && !has(hidden.first, "Q"));
+  EXPECT_TRUE(hasLabel(usual.first, "Q") && hasLabel(moved.first, "Q") && !hasLabel(hidden.first, "Q"));
   EXPECT_NE(moved.first, usual.first);
   EXPECT_NE(moved.second, usual.second);
   EXPECT_NE(hidden.second, usual.second);

@@ -1,4 +1,5 @@
 // The photon torpedo in the real window: flown by its controls, aimed by the mouse, with meshes of one's own.
+#include "tests/app/box_answerer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/pointer.h"
 
@@ -22,7 +23,6 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <set>
 
@@ -542,12 +542,7 @@ private slots:
     loader.setProgram(HALFSPACE_PROGRAM);
     const Scene before = m_fixture->model().session().scene;
     QSignalSpy failed(&loader, &MeshLoader::failed);
-    QTimer closer; // of the box that says why
-    QObject::connect(&closer, &QTimer::timeout, [] {
-      if (QWidget *box = QApplication::activeModalWidget())
-        box->close();
-    });
-    closer.start(20);
+    const BoxAnswerer closer; // of the box that says why
     m_fixture->window.meshes().open(file);
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
     QVERIFY(failed.at(0).at(0).toString().startsWith("broken.stl: "));

@@ -32,7 +32,6 @@ double likeness(const QImage &one, const QImage &other) {
 
 class VectorFigures : public Program {
 protected:
-  [[nodiscard]] std::string file(const std::string &name) const { return contentOf(inFolder(name)); }
 };
 
 TEST_F(VectorFigures, AreAsWideAsAsked_AndTheSameBytesAgain) {

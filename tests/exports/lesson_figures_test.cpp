@@ -129,7 +129,7 @@ TEST_F(LessonFigures, AsPdf_AreWithoutFault_AndTheirTextsAreThoseOfTheFormulas) 
     write(name + ".pdf", pdfOf(drawing, math::fonts()));
     formulas[name + ".pdf"] = formulasOf(drawing);
   });
-  const Ran merged = shell("LC_ALL=C qpdf --empty --pages *.pdf -- merged >.out 2>.err");
+  const Ran merged = shell("export LC_ALL=C; qpdf --empty --pages *.pdf -- merged >.out 2>.err");
   EXPECT_EQ(merged.status, 0) << merged.err; // 3: it has repaired what it warns of
   // One formula after the other: where two stand in one row, both are in one line.
   std::string found = shell("pdftotext -raw merged - >.out 2>.err").out;

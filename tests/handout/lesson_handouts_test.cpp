@@ -24,9 +24,6 @@ std::vector<std::string> lessonIds() {
 class LessonHandouts : public ProgramTest, public testing::WithParamInterface<std::string> {
 protected:
   [[nodiscard]] const Lesson &lesson() const { return *library().find(GetParam()); }
-  [[nodiscard]] bool has(const std::string &program) const {
-    return shell("command -v " + program + " >.out 2>.err").status == 0;
-  }
   /// Each paper with one column and two.
   template <class Visit> void forEachLook(Visit visit) const {
     const WholeHandout handout(lesson());
