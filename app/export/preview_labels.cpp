@@ -40,8 +40,7 @@ void PreviewLabels::take(QPointF part) {
   if (!m_held)
     return;
   m_pane.setHand(true, true);
-  m_gesture =
-      m_model.history().beginGesture(QString::fromStdString(wordsForLabel(moveLabel(*m_held, m_held->grip))));
+  m_gesture = m_model.history().beginGesture(wordsFor(moveLabel(*m_held, m_held->grip)));
 }
 
 void PreviewLabels::move(QPointF part) {
@@ -125,8 +124,10 @@ void PreviewLabels::addPutAllBack(QMenu &menu) {
   });
 }
 
-void PreviewLabels::change(const ChangeLabel &change) {
-  m_model.history().edit(change, QString::fromStdString(wordsForLabel(change)));
+void PreviewLabels::change(const ChangeLabel &change) { m_model.history().edit(change, wordsFor(change)); }
+
+QString PreviewLabels::wordsFor(const ChangeLabel &change) const {
+  return QString::fromStdString(wordsForLabel(m_model.session().scene, change));
 }
 
 bool PreviewLabels::canUndo() const { return m_model.history().index() > m_stepsBefore; }

@@ -46,6 +46,7 @@ private:
   void move(QPointF part);
   void openMenu(QPointF part, const QPoint &at);
   void change(const ChangeLabel &change);
+  [[nodiscard]] QString wordsFor(const ChangeLabel &change) const;
   void addPutAllBack(QMenu &menu);
   [[nodiscard]] bool canUndo() const;
   [[nodiscard]] bool canRedo() const;

@@ -76,10 +76,13 @@ std::string wordsForChanging(const Scene &scene, const CoordinateId &id) {
   return words("Change {name}", {{"name", nameOf(*given, id.index)}});
 }
 
-std::string wordsForLabel(const ChangeLabel &change) {
-  if (change.label && change.label->isHidden)
+std::string wordsForLabel(const Scene &scene, const ChangeLabel &change) {
+  const LabelByHand after = change.label.value_or(LabelByHand());
+  if (after.isHidden)
     return words("Hide a label");
-  return change.label && change.label->spot ? words("Move a label") : words("Put a label back");
+  if (isLabelHidden(scene.labels, change.mark))
+    return words("Show a label");
+  return after.spot ? words("Move a label") : words("Put a label back");
 }
 
 } // namespace halfspace

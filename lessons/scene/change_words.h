@@ -13,6 +13,6 @@ namespace halfspace {
 /// number that is no place is changed: “Change R of S”.
 [[nodiscard]] std::string wordsForChanging(const Scene &scene, const CoordinateId &id);
 /// What is done to a label: “Move a label”, “Hide a label”, “Put a label back”.
-[[nodiscard]] std::string wordsForLabel(const ChangeLabel &change);
+[[nodiscard]] std::string wordsForLabel(const Scene &scene, const ChangeLabel &change);
 
 } // namespace halfspace

@@ -59,8 +59,8 @@ struct Applier {
     std::set<std::string> going{dependents.begin(), dependents.end()};
     going.insert(edit.name);
     scene.entries.eraseIf([&](const Entry &entry) { return going.contains(entry.name); });
-    for (const std::string &name : going)
-      scene.labels = withoutEntry(std::move(scene.labels), name);
+    std::erase_if(scene.labels,
+                  [&](const auto &label) { return going.contains(std::string(entryOfMark(label.first))); });
     return std::move(scene);
   }
 

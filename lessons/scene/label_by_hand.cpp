@@ -42,11 +42,6 @@ std::optional<Problem> refuseLabel(const LabelsByHand &labels, std::string_view 
   return {};
 }
 
-LabelsByHand withoutEntry(LabelsByHand labels, std::string_view entry) {
-  std::erase_if(labels, [&](const auto &label) { return entryOfMark(label.first) == entry; });
-  return labels;
-}
-
 LabelsByHand withEntryRenamed(const LabelsByHand &labels, std::string_view entry, std::string_view newName) {
   LabelsByHand renamed;
   for (const auto &[mark, label] : labels) {

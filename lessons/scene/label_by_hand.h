@@ -57,8 +57,7 @@ inline constexpr std::size_t longestMarkId = 200;
 /// Whether one more label could be kept, for a mark of this id; if not, why.
 [[nodiscard]] std::optional<Problem> refuseLabel(const LabelsByHand &labels, std::string_view mark);
 
-/// The labels without those of an entry's marks; and with these, where the entry has got another name.
-[[nodiscard]] LabelsByHand withoutEntry(LabelsByHand labels, std::string_view entry);
+/// The labels, where an entry has got another name.
 [[nodiscard]] LabelsByHand withEntryRenamed(const LabelsByHand &labels, std::string_view entry,
                                             std::string_view newName);
 

@@ -153,9 +153,12 @@ TEST(Translated, RefusalsOfLabels_SayNothingInEnglish) {
     ASSERT_FALSE(session) << labels;
     expectTranslated(session.problem().sentence, {});
   }
-  for (const ChangeLabel &change : {ChangeLabel{"Q", {}}, ChangeLabel{"Q", LabelByHand{LabelSpot()}},
-                                    ChangeLabel{"Q", LabelByHand{{}, true}}})
-    expectTranslated(wordsForLabel(change), {});
+  Scene hidden;
+  hidden.labels["Q"] = {{}, true};
+  for (const Scene &scene : {Scene(), hidden})
+    for (const ChangeLabel &change : {ChangeLabel{"Q", {}}, ChangeLabel{"Q", LabelByHand{LabelSpot()}},
+                                      ChangeLabel{"Q", LabelByHand{{}, true}}})
+      expectTranslated(wordsForLabel(scene, change), {});
 }
 
 TEST(Translated, RefusalsOfEditsAndValues_SayNothingInEnglish) {
