@@ -65,6 +65,15 @@ bool areInEachOthersWay(const LabelCandidate &one, const LabelCandidate &other) 
   return overlapArea(one.box, other.box) > 0 || strikes(one, other) || strikes(other, one);
 }
 
+/// Whether all of them can be on the screen at once. Else most would lie on others wherever they are.
+bool findRoom(const std::vector<LabelRequest> &requests, const std::vector<std::size_t> &labels,
+              PixelSize size) {
+  double area = 0;
+  for (const std::size_t label : labels)
+    area += requests[label].extent.x * requests[label].extent.y;
+  return area < static_cast<double>(size.width) * size.height;
+}
+
 double costBeside(const LabelCandidate &candidate, const LabelCandidate &other) {
   const glm::dvec2 extent = candidate.box.extent();
   double cost = (strikes(candidate, other) ? costOfStruckLabel : 0) +
@@ -230,12 +239,11 @@ void LabelLayout::untangle(std::size_t first, const std::vector<std::size_t> &la
 }
 
 double LabelLayout::costOfAll(const std::vector<std::size_t> &labels,
-                              const std::vector<LabelOptions> &options, const Placed &placed) {
-  const double limit = std::numeric_limits<double>::infinity();
+                              const std::vector<LabelOptions> &options, const Placed &placed, double limit) {
   double cost = 0;
   for (const std::size_t label : labels)
-    if (placed[label])
-      cost += costOf(*placed[label], label, options[label], placed, limit);
+    if (placed[label] && cost < limit)
+      cost += costOf(*placed[label], label, options[label], placed, limit - cost);
   return cost;
 }
 
@@ -268,7 +276,7 @@ void LabelLayout::makeRoom(std::size_t first, const std::vector<std::size_t> &la
     return;
   const Placed none(placed.size());
   Placed best = placed;
-  double lowest = costOfAll(labels, options, placed) - leastGain;
+  double lowest = costOfAll(labels, options, placed, std::numeric_limits<double>::infinity()) - leastGain;
   std::size_t tried = 0;
   for (const LabelCandidate &candidate : options[first].candidates()) {
     if (tried == mostRooms)
@@ -277,7 +285,7 @@ void LabelLayout::makeRoom(std::size_t first, const std::vector<std::size_t> &la
       continue;
     ++tried;
     Placed other = withRoomFor(candidate, first, labels, requests, options, placed);
-    if (const double cost = costOfAll(labels, options, other); cost < lowest) {
+    if (const double cost = costOfAll(labels, options, other, lowest); cost < lowest) {
       lowest = cost;
       best = std::move(other);
     }
@@ -286,7 +294,8 @@ void LabelLayout::makeRoom(std::size_t first, const std::vector<std::size_t> &la
 }
 
 void LabelLayout::placeBeside(const std::vector<LabelRequest> &requests,
-                              const std::vector<LabelOptions> &options, Placed &placed) const {
+                              const std::vector<LabelOptions> &options, PixelSize size,
+                              Placed &placed) const {
   std::vector<std::size_t> labels;
   for (std::size_t label = 0; label < requests.size(); ++label)
     if (requests[label].stand == LabelStand::Beside)
@@ -294,12 +303,13 @@ void LabelLayout::placeBeside(const std::vector<LabelRequest> &requests,
   for (const std::size_t label : labels)
     if (const auto previous = m_choices.find(requests[label].id); previous != m_choices.end())
       placed[label] = options[label].chosen(previous->second);
+  const bool isWorthUntangling = labels.size() <= mostUntangled && findRoom(requests, labels, size);
   bool haveMoved = true;
   for (int pass = 0; pass < mostPasses && haveMoved; ++pass) {
     const std::vector<LabelChoice> before = choicesOf(placed);
     for (const std::size_t label : labels)
       placed[label] = bestFor(label, requests[label].id, options[label], placed);
-    if (labels.size() <= mostUntangled)
+    if (isWorthUntangling)
       for (const std::size_t label : labels) {
         untangle(label, labels, requests, options, placed);
         makeRoom(label, labels, requests, options, placed);
@@ -367,7 +377,7 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       placed[label] = options[label].candidates().front();
   // What is pinned cannot move away, so the others do; where they cannot, it is left out.
   pin();
-  placeBeside(requests, options, placed);
+  placeBeside(requests, options, size, placed);
   pin();
   for (std::size_t label = 0; label < requests.size(); ++label)
     if (requests[label].stand == LabelStand::Passing) {

@@ -60,7 +60,8 @@ private:
                 const std::vector<LabelRequest> &requests, const std::vector<LabelOptions> &options,
                 Placed &placed) const;
   [[nodiscard]] static double costOfAll(const std::vector<std::size_t> &labels,
-                                        const std::vector<LabelOptions> &options, const Placed &placed);
+                                        const std::vector<LabelOptions> &options, const Placed &placed,
+                                        double limit);
   /// All places with one label at a certain one, and those that are in its way there at the best ones then.
   [[nodiscard]] Placed withRoomFor(const LabelCandidate &candidate, std::size_t first,
                                    const std::vector<std::size_t> &labels,
@@ -74,7 +75,7 @@ private:
   /// Each takes the best place beside those placed before it; then, beside all others, until none moves. Two
   /// that are in each other's way, and neither of which comes away alone, are placed together.
   void placeBeside(const std::vector<LabelRequest> &requests, const std::vector<LabelOptions> &options,
-                   Placed &placed) const;
+                   PixelSize size, Placed &placed) const;
 
   /// Whether a label can be read at a place, beside what is placed.
   [[nodiscard]] static bool canBeRead(const LabelCandidate &there, std::size_t label,

@@ -132,18 +132,15 @@ std::optional<LabelAnchor> middleAnchor(const std::vector<Place> &corners, const
 
 /// The one place of a mark that what somebody does to its label is measured from: of a face its middle, as
 /// the corner that is liked best is another from elsewhere; of all others where its label is liked best.
-std::optional<LabelAnchor> ownAnchorOf(const Mark &mark, const std::vector<LabelAnchor> &anchors,
+std::optional<LabelAnchor> ownAnchorOf(const MarkOutline &outline, const std::vector<LabelAnchor> &anchors,
                                        const View &view) {
-  const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  if (const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
-      outline.kind == MarkOutline::Kind::Face && !outline.path.empty())
+  if (outline.kind == MarkOutline::Kind::Face && !outline.path.empty())
     return middleAnchor(outline.path, view);
   return anchors.empty() ? std::nullopt : std::optional(anchors.front());
 }
 
-std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const View &view) {
-  const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+std::vector<LabelAnchor> anchorsOf(const Mark &mark, const MarkOutline &outline, const Theme &theme,
+                                   const View &view) {
   if (outline.path.empty())
     return {};
   const std::vector<Place> &path = outline.path;
@@ -315,6 +312,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
                                   const Theme &theme, const View &view) {
   std::vector<LabelText> texts;
   const double pixels = view.pixelRatio * theme.textScale;
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
   const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
   const auto at = [&](Place place) {
     Anchors anchors(view, theme.lineScale);
@@ -335,17 +333,18 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     const MarkBase &base = baseOf(mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
     const auto byHand = content.labels.find(base.id);
+    const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
     LabelText text{base.id, textOf(mark, content.shown), style(ink, markTextSize),
-                   anchorsOf(mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside};
+                   anchorsOf(mark, outline, theme, view),
+                   base.passes ? LabelStand::Passing : LabelStand::Beside};
     text.isMark = true;
     text.owner = number;
     text.opacity = content.arrival.presenceOf(base);
-    text.own = ownAnchorOf(mark, text.anchors, view);
+    text.own = ownAnchorOf(outline, text.anchors, view);
     if (byHand != content.labels.end() && text.own)
       text.spot = byHand->second.spot;
     texts.push_back(std::move(text));
   }
-  const double scale = designScale(view.camera, view.size, view.pixelRatio);
   if (content.dropLine && content.showsAxes())
     for (const int axis : {0, 1}) {
       const double coordinate = content.dropLine->from[axis];
