@@ -73,11 +73,8 @@ void AnimationExport::saveTo(const QString &file, const AnimationChoices &choice
   cancel();
   const FilmRequest request{file.toStdString(), choices.size, choices.framesPerSecond, choices.isTransparent,
                             m_look.theme()};
-  AnimatedScene scene = sceneFor(choices.size);
-  if (choices.motion->choosesSteps)
-    scene.step = {};
-  m_job.start([this, request, choices, scene](const std::atomic<bool> &cancelled,
-                                              const LatestJob::Post &post) -> LatestJob::Message {
+  m_job.start([this, request, choices, scene = sceneFor(choices.size)](
+                  const std::atomic<bool> &cancelled, const LatestJob::Post &post) -> LatestJob::Message {
     const FilmWatch watch{[&] { return cancelled.load(); },
                           [&](int picture, int all) {
                             post([this, picture, all] {

@@ -15,6 +15,10 @@ SceneContent StagedScene::content(const LessonStep *step) const {
   return contentOf(animated.lesson.get(), step, evaluation, stage);
 }
 
+SceneContent StagedScene::shown(const LessonStep *step) const {
+  return animated.shown ? *animated.shown : content(step);
+}
+
 const LessonStep *StagedScene::step() const {
   return animated.lesson && animated.step ? &stepOf(*animated.lesson, *animated.step) : nullptr;
 }

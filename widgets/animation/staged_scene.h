@@ -11,6 +11,8 @@ struct StagedScene {
 
   /// What a picture shows by a step, or of the whole figure where that is null.
   [[nodiscard]] SceneContent content(const LessonStep *step) const;
+  /// The same, but what the animated scene is said to show wherever something is said.
+  [[nodiscard]] SceneContent shown(const LessonStep *step) const;
   /// The step that is asked for; null where none is, or there is none.
   [[nodiscard]] const LessonStep *step() const;
   /// From where it is looked at.

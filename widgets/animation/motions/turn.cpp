@@ -37,9 +37,8 @@ std::vector<Place> sweptBy(const std::vector<Place> &places, const Place &pivot)
 class Turn : public Motion {
 public:
   Turn(const StagedScene &staged, double seconds)
-      : m_content(staged.animated.shown.value_or(staged.content(staged.step()))), m_camera(staged.camera()),
-        m_seconds(seconds) {
-    const SceneContent whole = staged.animated.shown.value_or(staged.content(nullptr));
+      : m_content(staged.shown(staged.step())), m_camera(staged.camera()), m_seconds(seconds) {
+    const SceneContent whole = staged.shown(nullptr);
     const std::vector<Place> places = placesNearGiven(whole.figure, whole.stage.hasAxes());
     const PixelSize size = staged.animated.size;
     const View view{m_camera, size, ownPixelRatio(size)};
