@@ -33,6 +33,9 @@ void addHandoutOptions(CLI::App &command, HandoutOptions &options) {
 
 Result<HandoutCommand> handoutCommandOf(const HandoutOptions &options) {
   HandoutCommand command = options.command;
+  if (const FigureFormat *format = figureFormatOf(command.output); !format || format->ending != ".pdf")
+    return refused(words("A handout is a PDF: let the name end in .pdf, not as “{file}” does.",
+                         {{"file", shortened(command.output)}}));
   if (!options.steps.empty()) {
     auto steps = parseSteps(options.steps);
     if (!steps)

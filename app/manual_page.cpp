@@ -1,6 +1,7 @@
 #include "app/manual_page.h"
 
 #include "lessons/text.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -63,6 +64,13 @@ std::string optionParagraphs(const CommandDescription &command) {
   return positional + named;
 }
 
+std::string exitStatuses() {
+  return paragraph("0", roff(words("What was asked for is done."))) +
+         paragraph("1", roff(words("Something is wrong with what was looked at, or some of several figures "
+                                   "could not be made; what it is stands on standard error."))) +
+         paragraph("2", roff(words("Nothing was done; the sentence on standard error says why.")));
+}
+
 } // namespace
 
 std::string manualPage(const CommandDescription &program, const std::string &summary,
@@ -78,7 +86,8 @@ std::string manualPage(const CommandDescription &program, const std::string &sum
          "\n.br\n" + bold(program.name) + " " + italic("COMMAND") + " ...\n" +                         //
          ".SH DESCRIPTION\n" + roff(program.description) + "\n" +                                      //
          ".SH OPTIONS\n" + optionParagraphs(program) +                                                 //
-         ".SH COMMANDS\n" + commands;
+         ".SH COMMANDS\n" + commands +                                                                 //
+         ".SH EXIT STATUS\n" + exitStatuses();
 }
 
 } // namespace halfspace

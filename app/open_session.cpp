@@ -1,5 +1,6 @@
 #include "app/open_session.h"
 
+#include "lessons/guess.h"
 #include "lessons/lesson/lesson_start.h"
 #include "lessons/words.h"
 #include "widgets/carriers/carrier.h"
@@ -11,9 +12,15 @@ namespace halfspace {
 namespace {
 
 Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
-  std::string known;
+  std::vector<std::string> ids;
   for (const Lesson &lesson : library.lessons)
-    known += (known.empty() ? "" : ", ") + lesson.id;
+    ids.push_back(lesson.id);
+  const std::string sentence = words("There is no lesson “{name}”, and no such file.", {{"name", name}});
+  if (!nearestOf(name, ids).empty())
+    return {withGuess(sentence, name, ids), "", 0, ""};
+  std::string known;
+  for (const std::string &id : ids)
+    known += (known.empty() ? "" : ", ") + id;
   return {words("There is no lesson “{name}”, and no such file. The lessons are {known}.",
                 {{"name", name}, {"known", known}}),
           "", 0, ""};

@@ -104,7 +104,9 @@ int told(const BatchReport &report, const RenderPlan &plan) {
       {"done", std::to_string(report.done())}, {"count", std::to_string(plan.jobs.size())}};
   if (report.isInterrupted)
     printError(words("Interrupted: {done} of {count} figures are done, and whole.", counts));
-  else if (!report.problems.empty() || !plan.problems.empty())
+  else if (!plan.problems.empty()) // nobody knows how many figures would have come of them
+    printError(words("{done} figures are done. What kept the others is told above.", counts));
+  else if (!report.problems.empty())
     printError(words("{done} of {count} figures are done. What kept the others is told above.", counts));
   const bool isWhole = report.problems.empty() && plan.problems.empty() && !report.isInterrupted;
   return isWhole ? 0 : exitSomeMissing;

@@ -79,8 +79,7 @@ std::string marked(std::string content, const std::string &ending, std::string_v
   const std::string digest = digestOf(content, madeOf);
   if (const Comment *comment = commentOf(ending))
     return content + lineOf(*comment, digest);
-  return isPng(content) ? withPngChunk(std::move(content), chunkType, std::string(keyword) + '\0' + digest)
-                        : content;
+  return withPngChunk(std::move(content), chunkType, std::string(keyword) + '\0' + digest);
 }
 
 bool isMarked(std::string_view file, const std::string &ending, std::string_view madeOf) {

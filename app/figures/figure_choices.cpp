@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 namespace halfspace {
 namespace {
@@ -30,7 +32,12 @@ const FigureFormat *figureFormatWith(const std::string &ending) {
 
 const FigureFormat *figureFormatOf(const std::string &file) {
   const std::string ending = endingOf(file);
-  return ending.empty() ? &figureFormats().front() : figureFormatWith(ending);
+  if (!ending.empty())
+    return figureFormatWith(ending);
+  std::error_code error;
+  const auto there = std::filesystem::status(file, error);
+  const bool isPipeOrDevice = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
+  return isPipeOrDevice ? &figureFormats().front() : nullptr;
 }
 
 int PaperSize::pixelsAcross() const {

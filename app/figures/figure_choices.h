@@ -26,7 +26,8 @@ struct FigureFormat {
 /// That of files with an ending, as `FigureFormat` has it; null for none of them.
 [[nodiscard]] const FigureFormat *figureFormatWith(const std::string &ending);
 
-/// That of a file, by how its name ends, which is PNG where it has no ending; null for none of them.
+/// That of a file, by how its name ends, and PNG for a pipe or a device without an ending; null for none of
+/// them.
 [[nodiscard]] const FigureFormat *figureFormatOf(const std::string &file);
 
 /// How a figure is measured that is to be printed.

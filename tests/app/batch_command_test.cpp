@@ -121,14 +121,14 @@ TEST_F(Batch, GoesOnAfterAFigureThatCannotBeMade) {
 
 TEST_F(Batch, GoesOnAfterALessonThatIsNotThere) {
   expectMissing("render nowhere signed-distance --step 1 -o '{lesson}.svg'", "There is no lesson “nowhere”",
-                "1 of 1");
+                "halfspace: 1");
   EXPECT_EQ(files(), Names{"signed-distance.svg"});
   expectMissing("render ray-sphere signed-distance --steps 1,99 -o '{lesson}-{step}.svg'",
-                "ray-sphere: --step: The lesson has 9 steps.", "2 of 2");
+                "ray-sphere: --step: The lesson has 9 steps.", "halfspace: 2");
   EXPECT_EQ(files(), (Names{"signed-distance.svg", "ray-sphere-1.svg", "signed-distance-1.svg"}))
       << "the steps that are there";
   expectMissing("render ray-sphere signed-distance --step 99 -o '{lesson}.svg'",
-                "ray-sphere: --step: The lesson has", "0 of 0");
+                "ray-sphere: --step: The lesson has", "halfspace: 0");
 }
 
 TEST_F(Batch, GoesOnAfterAFileThatCannotBeWritten) {

@@ -225,6 +225,9 @@ TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
 
 TEST_F(Program, ALessonOrFileThatIsNotThere_IsRefused) {
   expectRefused("explain no-such-lesson", "There is no lesson “no-such-lesson”");
+  expectRefused("explain signed-distanze", "Perhaps “signed-distance” is meant.");
+  for (const char *name : {"a", "-"})
+    expectRefused(std::string("render signed-distance -o ") + name, "let the name end in .png");
   expectRefused("render no-such-lesson -o a.png", "There is no lesson “no-such-lesson”");
   expectRefused("explain missing.halfspace", "missing.halfspace: There is no such file");
   expectRefused("explain /", "/: This is a folder, not a file");

@@ -83,6 +83,7 @@ TEST_F(Handouts, ThatCannotBeMade_AreRefusedInASentence) {
   expectRefused("handout", "subject");
   expectRefused("handout ray-sphere", "--output");
   expectRefused("handout nowhere -o a.pdf", "There is no lesson “nowhere”");
+  expectRefused("handout ray-sphere -o a.png", "let the name end in .pdf");
   expectRefused("handout ray-sphere -o a.pdf --steps x", "--steps takes numbers of steps");
   expectRefused("handout ray-sphere -o a.pdf --steps 0", "--steps takes numbers of steps");
   expectRefused("handout ray-sphere -o a.pdf --steps 3-1", "--steps takes numbers of steps");
