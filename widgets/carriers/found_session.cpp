@@ -33,7 +33,7 @@ Result<FoundSession> findSession(const std::filesystem::path &file) {
 
 Result<FoundSession> findSessionIn(std::string content, const std::string &file) {
   if (content.size() > mostPictureBytes)
-    return Problem{words("This picture is too large to be searched for a scene."), file, 0, ""};
+    return Problem{words("This is too large to be searched for a scene."), file, 0, ""};
   const bool isPicture = carrierOf(content) || isPixelPicture(content);
   auto text = isPicture ? sessionInPicture(content) : std::move(content);
   if (!text)
