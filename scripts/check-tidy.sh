@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs clang-tidy on sources built into build/release whose object files are newer than their last clean check: an
 # object is made anew exactly when its source or a header of it has changed.
-# Arguments are folders; without one, those where a hidden mistake costs most. Ten seconds a file: the rest is checked
+# Arguments are folders; without one, those where a hidden mistake costs most. Five seconds a file: the rest is checked
 # by the preset `tidy`, at leisure.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
