@@ -16,8 +16,9 @@ lessons/figure       : lessons
 lessons/reading      : geometry lessons lessons/term : JSON YAML MD4C
 lessons/files        : lessons lessons/reading
 lessons/object       : geometry geometry/search lessons lessons/term lessons/figure lessons/reading
+lessons/formula      : geometry lessons lessons/object lessons/reading
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
-lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
+lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/formula lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/formula      : geometry lessons/* : HarfBuzz
 widgets/picture      : geometry geometry/search lessons/* widgets/formula
