@@ -6,6 +6,7 @@
 #include "lessons/lesson/lesson_words.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/scene/formula_names.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -32,13 +33,22 @@ ValueName caseOf(const Construction &construction, const Entry &entry) {
   return cases;
 }
 
+/// The values of an object that follows others.
+void addCoordinates(const Kind &kind, std::vector<ValueName> &values) {
+  for (std::size_t i = 0; i < kind.coordinates.size(); ++i)
+    if (const std::string name = valueNameOf(kind, i); !name.empty())
+      values.push_back(numbersIn(kind.coordinates[i].role) == 1 ? named::number(name) : named::vector(name));
+}
+
 EntryNames namesOf(const Entry &entry) {
   EntryNames names{entry.name};
-  if (const auto *object = std::get_if<Object>(&entry.content)) {
+  if (const Kind *kind = kindOf(entry)) {
     if (isBound(entry))
       names.values.push_back(named::vector("at"));
+    else if (std::holds_alternative<DerivedObject>(entry.content))
+      addCoordinates(*kind, names.values);
     names.marks.push_back(entry.name);
-    for (const CoordinateSpec &spec : coordinatesOf(*object))
+    for (const CoordinateSpec &spec : kind->coordinates)
       if (!spec.name.empty())
         names.marks.push_back(coordinateId(entry.name, spec));
     return names;

@@ -2,7 +2,10 @@
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/object/letters.h"
+#include "lessons/scene/formula_names.h"
+#include "lessons/scene/scene_checker.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -40,6 +43,18 @@ std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vec
 
 std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
   return outcomeOf(given, nothing<std::vector<NamedValue>>(), {});
+}
+
+/// An object that follows others is told by what its coordinates come to.
+std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given) {
+  return outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
+                     std::vector<NamedValue> values;
+                     for (std::size_t i = 0; i < given->object.size(); ++i)
+                       if (const std::string name = valueNameOf(given->object.kind(), i); !name.empty())
+                         values.push_back(listed(name, coordinateTerm(*given, i)));
+                     return values;
+                   }),
+                   {});
 }
 
 /// A bound object has a place besides its freedoms, up to which its host is drawn.
@@ -126,9 +141,11 @@ private:
   [[nodiscard]] std::optional<EvaluatedEntry> evaluated(std::size_t place) const {
     const Entry &entry = m_found.scene.entries[place];
     const Look &look = m_found.plan->looks[place];
+    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+      return evaluatedUse(entry, *use);
+    if (const auto *derived = std::get_if<DerivedObject>(&entry.content))
+      return evaluatedDerived(entry.name, *derived, look);
     const auto *object = std::get_if<Object>(&entry.content);
-    if (!object)
-      return evaluatedUse(entry, std::get<ConstructionUse>(entry.content));
     return isBound(entry) ? evaluatedBound(entry, *object, look)
                           : std::optional(evaluatedObject(entry.name, *object, look));
   }
@@ -162,6 +179,69 @@ private:
     entry.own = entry.looksAt.front();
     entry.offers = {{"", entry.looksAt.front()}};
     return entry;
+  }
+
+  /// An object whose coordinates follow others is what they come to.
+  [[nodiscard]] std::optional<EvaluatedEntry>
+  evaluatedDerived(const std::string &name, const DerivedObject &derived, const Look &look) const {
+    Object object(*derived.kind);
+    std::string missing;
+    for (std::size_t index = 0; index < derived.coordinates.size(); ++index) {
+      if (index == object.size())
+        object.addVertex();
+      auto value =
+          valueOf(derived.coordinates[index], [&](std::string_view id) { return valueNamed(id, missing); });
+      if (auto *fault = std::get_if<FormulaFault>(&value))
+        missing = missing.empty() ? fault->sentence : missing;
+      else
+        setCoordinate(object, index, std::get<FormulaValue>(value));
+    }
+    const auto given = shared(letters().derived(name, withoutBounds(std::move(object))), look);
+    EvaluatedEntry found{name, {}, Naming{name}, {given}};
+    found.missing = missing.empty() ? whyNotFitting(*given) : missing;
+    if (!takeOver(found))
+      found.outcome = found.missing.empty() ? outcomeOfDerived(given) : withoutAnObject(found.missing);
+    found.offers = {{"", found.looksAt.front(), found.missing}};
+    return found;
+  }
+
+  /// What a name in a formula stands for; and why it is not there now, where it is not.
+  [[nodiscard]] std::optional<FormulaValue> valueNamed(std::string_view name, std::string &whyNot) const {
+    const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
+      const OfferedObject *object = findOffered(std::string(id));
+      return object ? &object->given->object.kind() : nullptr;
+    });
+    if (!place)
+      return {};
+    const OfferedObject *object = findOffered(place->object);
+    if (!object->whyNot.empty()) {
+      whyNot = object->whyNot;
+      return {};
+    }
+    const ExactVec3 &value = object->given->object[place->index];
+    return numbersIn(place->role) == 1 ? FormulaValue(value.x) : FormulaValue(value);
+  }
+
+  static void setCoordinate(Object &object, std::size_t index, const FormulaValue &value) {
+    if (const auto *number = std::get_if<Rational>(&value))
+      object[index].x = *number;
+    else
+      object[index] = std::get<ExactVec3>(value);
+  }
+
+  /// A number that follows others is what it is.
+  static Object withoutBounds(Object object) {
+    if (auto number = objectAs<NumberObject>(object)) {
+      number->from = number->to = number->value;
+      return *number;
+    }
+    return object;
+  }
+
+  static std::string whyNotFitting(const Given<Object> &derived) {
+    if (const auto problem = refuseUnfitting(derived.object))
+      return problem->sentence;
+    return whyTooLong(derived);
   }
 
   /// A bound object is the point where it lies.

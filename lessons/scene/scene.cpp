@@ -1,5 +1,7 @@
 #include "lessons/scene/scene.h"
 
+#include "lessons/object/kind.h"
+
 namespace halfspace {
 namespace {
 
@@ -44,6 +46,9 @@ template <class SomeEntry, class Function> void forEachReference(SomeEntry &entr
     for (auto &[role, objects] : use->roles)
       for (auto &id : objects.ids)
         function(id);
+  if (auto *derived = std::get_if<DerivedObject>(&entry.content))
+    for (auto &formula : derived->coordinates)
+      forEachName(formula, function);
   if (!entry.on.empty())
     function(entry.on);
 }
@@ -60,6 +65,13 @@ std::vector<std::string *> referencesIn(Entry &entry) {
   std::vector<std::string *> ids;
   forEachReference(entry, [&](std::string &id) { ids.push_back(&id); });
   return ids;
+}
+
+const Kind *kindOf(const Entry &entry) {
+  if (const Object *object = objectIn(entry))
+    return &object->kind();
+  const auto *derived = std::get_if<DerivedObject>(&entry.content);
+  return derived ? derived->kind : nullptr;
 }
 
 bool areBuiltAlike(const Entry &a, const Entry &b) {

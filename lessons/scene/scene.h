@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/figure/look.h"
+#include "lessons/formula/formula.h"
 #include "lessons/object/object.h"
 #include "lessons/scene/label_by_hand.h"
 #include "lessons/scene/qualified_name.h"
@@ -31,6 +32,14 @@ struct ConstructionUse {
   bool operator==(const ConstructionUse &) const = default;
 };
 
+/// An object whose coordinates follow others: a formula for each of them, in the order of its kind. Of a
+/// number there is one, that of its value: it has no bounds.
+struct DerivedObject {
+  const Kind *kind; ///< never null, and of coordinates alone
+  std::vector<Formula> coordinates;
+  bool operator==(const DerivedObject &) const = default;
+};
+
 /// What the host of a bound object is called in files and edits.
 inline constexpr const char *hostRole = "on";
 
@@ -39,11 +48,14 @@ inline constexpr const char *colorField = "color";
 
 struct Entry {
   std::string name;
-  std::variant<Object, ConstructionUse> content;
+  std::variant<Object, ConstructionUse, DerivedObject> content;
   std::string on{};           ///< the id of the object above that a bound object lies on
-  std::optional<Hue> color{}; ///< of an object; nothing where its place in the scene decides
+  std::optional<Hue> color{}; ///< of an object, derived or not; nothing where its place in the scene decides
   bool operator==(const Entry &) const = default;
 };
+
+/// The kind of the object that an entry is, derived or not; null for a construction.
+[[nodiscard]] const Kind *kindOf(const Entry &entry);
 
 /// Whether the entry is an object that lies on another.
 [[nodiscard]] inline bool isBound(const Entry &entry) { return !entry.on.empty(); }
@@ -65,7 +77,8 @@ struct Scene {
   return std::string(entry.empty() ? objectId : entry);
 }
 
-/// The ids of the objects that an entry looks at: those of its construction's roles, what it lies on.
+/// The ids of the objects that an entry looks at: those of its construction's roles, what it lies on, the
+/// names in its formulas, which may be those of coordinates.
 [[nodiscard]] std::vector<std::string> referencesIn(const Entry &entry);
 [[nodiscard]] std::vector<std::string *> referencesIn(Entry &entry);
 

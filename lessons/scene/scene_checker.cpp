@@ -4,7 +4,10 @@
 #include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/object/solid.h"
+#include "lessons/scene/formula_names.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -89,6 +92,12 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
       return problemWith(std::string(refused->name), refused->sentence);
     return refuseUnfitting(*object);
   }
+  if (const auto *derived = std::get_if<DerivedObject>(&entry.content)) {
+    if (auto problem = checkDerived(*derived)) // before its name is known: it cannot follow itself
+      return problem;
+    m_kinds.emplace(entry.name, derived->kind->word);
+    return {};
+  }
   const auto &use = std::get<ConstructionUse>(entry.content);
   if (auto problem = checkUse(use))
     return problem;
@@ -150,6 +159,53 @@ std::optional<Problem> SceneChecker::checkHost(const Entry &entry, const Object 
     return {};
   return problemWith(field, words("“{name}” is {kind}, which lies on nothing.",
                                   {{"name", entry.name}, {"kind", object.kind().noun()}}));
+}
+
+std::optional<Problem> SceneChecker::checkDerived(const DerivedObject &derived) const {
+  const Kind &kind = *derived.kind;
+  const std::size_t count = derived.coordinates.size();
+  const bool isNumber = kind.word == NumberObject::kind;
+  if (kind.binding || kind.shape || count > kind.coordinates.size() ||
+      count < (isNumber ? 1 : kind.fewestCoordinates()))
+    return problemWith("", words("This is {kind}: it cannot follow others so.", {{"kind", kind.noun()}}));
+  for (std::size_t index = 0; index < count; ++index)
+    if (auto problem = checkFormula(kind.coordinates[index], std::string(kind.coordinates[index].name),
+                                    derived.coordinates[index]))
+      return problem;
+  return {};
+}
+
+std::optional<FormulaShape> SceneChecker::shapeNamed(std::string_view name) const {
+  const auto coordinate = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
+    const auto kind = m_kinds.find(std::string(id));
+    return kind == m_kinds.end() ? nullptr : findKind(kind->second);
+  });
+  if (!coordinate)
+    return {};
+  return numbersIn(coordinate->role) == 1 ? FormulaShape::Number : FormulaShape::Triple;
+}
+
+std::optional<Problem> SceneChecker::checkFormula(const CoordinateSpec &spec, const std::string &field,
+                                                  const Formula &formula) const {
+  std::optional<Problem> problem;
+  forEachName(formula, [&](const std::string &name) {
+    if (!problem && !shapeNamed(name))
+      problem = m_kinds.contains(name)
+                    ? problemWith(field,
+                                  words("“{name}” is {kind}: a formula is about numbers, points and vectors.",
+                                        {{"name", name}, {"kind", nounOf(m_kinds.at(name))}}))
+                    : checkReference(field, name, PointObject::kind);
+  });
+  if (problem)
+    return problem;
+  const auto shape = shapeOf(formula, [&](std::string_view name) { return shapeNamed(name); });
+  if (const auto *fault = std::get_if<FormulaFault>(&shape))
+    return problemWith(field, fault->sentence);
+  const bool isNumber = numbersIn(spec.role) == 1;
+  if (isNumber == (std::get<FormulaShape>(shape) == FormulaShape::Number))
+    return {};
+  return problemWith(field, isNumber ? words("Here a number is expected, not a point or a vector.")
+                                     : words("Here three numbers are expected, as (1, 2, 3)."));
 }
 
 std::optional<Problem> SceneChecker::checkRole(const ConstructionRole &role,

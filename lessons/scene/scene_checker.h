@@ -40,6 +40,11 @@ private:
   [[nodiscard]] std::optional<Problem> checkReference(const std::string &field, const std::string &id,
                                                       std::string_view kind) const;
   [[nodiscard]] std::optional<Problem> checkHost(const Entry &entry, const Object &object) const;
+  /// Whether each formula speaks of what is above, and comes to what its coordinate is.
+  [[nodiscard]] std::optional<Problem> checkDerived(const DerivedObject &derived) const;
+  [[nodiscard]] std::optional<Problem> checkFormula(const CoordinateSpec &spec, const std::string &field,
+                                                    const Formula &formula) const;
+  [[nodiscard]] std::optional<FormulaShape> shapeNamed(std::string_view name) const;
   [[nodiscard]] std::optional<Problem> checkRole(const ConstructionRole &role,
                                                  const ConstructionUse &use) const;
   [[nodiscard]] std::optional<Problem> checkUse(const ConstructionUse &use) const;

@@ -11,6 +11,9 @@ SceneLetters::SceneLetters(const Scene &scene) {
       count(entry.name);
       if (!isBound(entry)) // freedoms always say whose they are
         countCoordinates(*object);
+    } else if (const auto *derived = std::get_if<DerivedObject>(&entry.content)) {
+      count(entry.name);
+      countCoordinates(Object(*derived->kind));
     } else if (const Construction *construction =
                    findConstruction(std::get<ConstructionUse>(entry.content).id)) {
       for (const ConstructionRole &made : construction->makes) {
@@ -60,6 +63,12 @@ Given<Object> SceneLetters::given(const std::string &entry, Object object) const
   return {entry, std::move(symbol), std::move(letters), std::move(object)};
 }
 
+Given<Object> SceneLetters::derived(const std::string &entry, Object object) const {
+  Given<Object> follower = given(entry, std::move(object));
+  follower.isFree = false;
+  return follower;
+}
+
 Given<Object> SceneLetters::freedoms(const std::string &entry, Object object) const {
   Given<Object> own = given(entry, std::move(object));
   for (Symbol &letter : own.letters)
@@ -68,9 +77,7 @@ Given<Object> SceneLetters::freedoms(const std::string &entry, Object object) co
 }
 
 Given<Object> SceneLetters::bound(const std::string &entry, const ExactVec3 &place) const {
-  Given<Object> point = given(entry, PointObject{place});
-  point.isFree = false;
-  return point;
+  return derived(entry, PointObject{place});
 }
 
 Given<Object> SceneLetters::made(const std::string &entry, const std::string &name, Object object) const {

@@ -20,6 +20,8 @@ public:
 
   /// An entry's own object.
   [[nodiscard]] Given<Object> given(const std::string &entry, Object object) const;
+  /// The object that an entry is whose coordinates follow others.
+  [[nodiscard]] Given<Object> derived(const std::string &entry, Object object) const;
   /// The freedoms of a bound object, which always say whose they are: λ alone could be of any line.
   [[nodiscard]] Given<Object> freedoms(const std::string &entry, Object object) const;
   /// The point that an entry's bound object is, at its place.

@@ -12,8 +12,8 @@ namespace {
 constexpr std::array furtherHues{Hue::Green, Hue::Pink, Hue::Purple, Hue::Orange, Hue::Yellow, Hue::Blue};
 
 std::optional<Subject> subjectOf(const Entry &entry) {
-  const auto *object = std::get_if<Object>(&entry.content);
-  return object ? object->kind().subject : std::nullopt;
+  const Kind *kind = kindOf(entry);
+  return kind ? kind->subject : std::nullopt;
 }
 
 /// How many objects have a hue.

@@ -1,5 +1,6 @@
 #include "lessons/scene/file/scene_reader.h"
 
+#include "lessons/formula/read_formula.h"
 #include "lessons/guess.h"
 #include "lessons/object/kind.h"
 #include "lessons/reading/typed_number.h"
@@ -62,6 +63,73 @@ void readShapeOf(Object &object, FieldReader &fields) {
                   problem.sentence);
 }
 
+void complainOfCoordinate(const DocumentNode &node, const Kind &kind, FieldReader &fields) {
+  fields.complain(node, fields.pathOf(shortened(node.key)),
+                  words("This is {kind}: it has no such coordinate. Remove it or mend its name.",
+                        {{"kind", kind.noun()}}));
+}
+
+/// Whether a coordinate is written as a formula: a text that is no number, where numbers stand in lists.
+bool isFormula(const DocumentNode &node, CoordinateRole role) {
+  return node.kind == DocumentNode::Kind::Text &&
+         (numbersIn(role) == 3 || !halfspace::readCoordinate(node.text));
+}
+
+/// Whether some coordinate of an object follows others.
+bool followsOthers(const DocumentNode &node, const Kind &kind) {
+  if (kind.binding || kind.shape)
+    return false;
+  if (node.kind == DocumentNode::Kind::Text)
+    return kind.coordinates.front().goesByObject();
+  return std::any_of(kind.coordinates.begin(), kind.coordinates.end(), [&](const CoordinateSpec &spec) {
+    const DocumentNode *written = spec.name.empty() ? nullptr : node.find(spec.name);
+    return written && isFormula(*written, spec.role);
+  });
+}
+
+/// Reads a formula, or numbers, which are one too.
+Formula readFormula(const DocumentNode &node, const std::string &path, FieldReader &fields,
+                    CoordinateRole role) {
+  if (node.kind != DocumentNode::Kind::Text) {
+    ExactVec3 numbers(0);
+    readCoordinate(node, path, fields, role, numbers);
+    return formulaOf(numbers);
+  }
+  auto formula = halfspace::readFormula(node.text);
+  if (const auto *fault = std::get_if<FormulaFault>(&formula)) {
+    fields.complain(node, path,
+                    words("{sentence} (at character {column})",
+                          {{"sentence", fault->sentence}, {"column", std::to_string(fault->at + 1)}}));
+    return {};
+  }
+  return std::get<Formula>(std::move(formula));
+}
+
+DerivedObject readDerived(const DocumentNode &node, const std::string &path, FieldReader &entry,
+                          const Kind &kind) {
+  DerivedObject derived{&kind, {}};
+  if (node.kind == DocumentNode::Kind::Text) {
+    derived.coordinates.push_back(readFormula(node, path, entry, kind.coordinates.front().role));
+    return derived;
+  }
+  FieldReader fields(node, entry.file(), path);
+  std::vector<std::string_view> names;
+  for (std::size_t index = 0; index < kind.coordinates.size(); ++index) {
+    const CoordinateSpec &spec = kind.coordinates[index];
+    names.push_back(spec.name);
+    if (index >= kind.fewestCoordinates() && !node.find(spec.name))
+      break;
+    if (const DocumentNode *written = fields.required(spec.name))
+      derived.coordinates.push_back(readFormula(*written, fields.pathOf(spec.name), fields, spec.role));
+  }
+  for (const DocumentNode &child : node.children)
+    if (std::find(names.begin(), names.end(), child.key) == names.end())
+      complainOfCoordinate(child, kind, fields);
+  if (fields.problem())
+    entry.keep(*fields.problem());
+  return derived;
+}
+
 /// Whether a field of an object is not one of its coordinates.
 bool isBesideCoordinates(const Object &object, std::string_view field) {
   return (object.kind().binding && field == hostRole) ||
@@ -89,9 +157,7 @@ void readObject(const DocumentNode &node, const std::string &path, FieldReader &
     if (!isBesideCoordinates(object, child.key) &&
         std::none_of(specs.begin(), specs.end(),
                      [&](const CoordinateSpec &spec) { return spec.name == child.key; }))
-      fields.complain(child, fields.pathOf(shortened(child.key)),
-                      words("This is {kind}: it has no such coordinate. Remove it or mend its name.",
-                            {{"kind", object.kind().noun()}}));
+      complainOfCoordinate(child, object.kind(), fields);
   if (fields.problem())
     entry.keep(*fields.problem());
 }
@@ -179,9 +245,13 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
         fields.allowOnly({"name", kind.word, colorField});
       else
         fields.allowOnly({"name", kind.word});
-      Object object(kind);
-      readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
-      entry.content = object;
+      if (followsOthers(*coordinates, kind)) {
+        entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind);
+      } else {
+        Object object(kind);
+        readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
+        entry.content = object;
+      }
       entry.color = readColor(fields);
       return entry;
     }

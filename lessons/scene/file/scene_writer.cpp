@@ -1,5 +1,7 @@
 #include "lessons/scene/file/scene_writer.h"
 
+#include "lessons/formula/read_formula.h"
+#include "lessons/object/kind.h"
 #include "lessons/scene/file/shape_text.h"
 
 #include <nlohmann/json.hpp>
@@ -30,6 +32,16 @@ Json coordinatesJson(const Object &object) {
   return json;
 }
 
+Json formulasJson(const DerivedObject &derived) {
+  const auto &specs = derived.kind->coordinates;
+  if (derived.coordinates.size() == 1 && specs.front().goesByObject())
+    return toText(derived.coordinates.front());
+  Json json;
+  for (std::size_t index = 0; index < derived.coordinates.size(); ++index)
+    json[std::string(specs[index].name)] = toText(derived.coordinates[index]);
+  return json;
+}
+
 /// The coordinates of a bound object, behind what it lies on.
 Json bound(const std::string &host, const Json &coordinates) {
   Json json{{hostRole, host}};
@@ -42,6 +54,12 @@ Json jsonOf(const Entry &entry) {
   if (const auto *object = std::get_if<Object>(&entry.content)) {
     const Json coordinates = coordinatesJson(*object);
     json[std::string(kindOf(*object))] = entry.on.empty() ? coordinates : bound(entry.on, coordinates);
+    if (entry.color)
+      json[colorField] = nameOf(*entry.color);
+    return json;
+  }
+  if (const auto *derived = std::get_if<DerivedObject>(&entry.content)) {
+    json[std::string(derived->kind->word)] = formulasJson(*derived);
     if (entry.color)
       json[colorField] = nameOf(*entry.color);
     return json;
