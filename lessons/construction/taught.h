@@ -136,6 +136,8 @@ template <class Out>
 /// somebody looks at it.
 template <class Out> struct Teaching {
   std::string_view id;
+  std::string_view
+      word{}; ///< by which it is asked for, where it is one of several for that; empty: its id alone
   std::vector<std::string> roles; ///< in the order of In
   std::vector<MadeRow<Out>> makes{};
   std::vector<std::string> letters{}; ///< its own
@@ -211,6 +213,7 @@ template <class Out, class... Kinds> [[nodiscard]] Construction taught(Teaching<
   };
   const auto teaching = std::make_shared<const Teaching<Out>>(std::move(described));
   Construction construction{teaching->id,
+                            teaching->word,
                             {},
                             {},
                             teaching->letters,

@@ -268,6 +268,7 @@ ValueTable<Out> values() {
 Construction cross_product() {
   return taught<Out, VectorObject, VectorObject>(
       {.id = "cross-product",
+       .word = "cross",
        .roles = {"u", "v"},
        .letters = {"n", "θ"},
        .cases = {"proper", "same-direction", "opposite", "zero-vector"},

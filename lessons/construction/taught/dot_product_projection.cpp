@@ -232,6 +232,7 @@ ValueRow<Out> projectionRow(const char *name, When<Out> stands, ProjectedVector<
 Construction dot_product_projection() {
   return taught<Out, VectorObject, VectorObject>(
       {.id = "dot-product-projection",
+       .word = "dot",
        .roles = {"v", "w"},
        .letters = {"θ", "e", "h"},
        .cases = {"acute", "right", "obtuse", "same-direction", "opposite", "zero-vector"},

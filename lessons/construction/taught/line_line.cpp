@@ -288,6 +288,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction line_line() {
   return taught<Out, LineObject, LineObject>(
       {.id = "line-line",
+       .word = "intersect",
        .roles = {"g", "h"},
        .makes = {{"F", &Out::isCrossing, &Out::F}, {"G", &Out::isCrossing, &Out::G}},
        .letters = {"p", "T", "c", "s", "t", "dist"},

@@ -115,6 +115,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction line_plane() {
   return taught<Out, LineObject, PlaneObject>(
       {.id = "line-plane",
+       .word = "intersect",
        .roles = {"g", "E"},
        .makes = {{"S", &Out::hasPoint, &Out::S}},
        .letters = {"X", "w"},

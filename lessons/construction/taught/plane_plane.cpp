@@ -165,6 +165,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction plane_plane() {
   return taught<Out, PlaneObject, PlaneObject>(
       {.id = "plane-plane",
+       .word = "intersect",
        .roles = {"E", "F"},
        .makes = {{"g", LineObject::kind, &Out::hasLine,
                   [](const Out &at) {

@@ -98,6 +98,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction point_line() {
   return taught<Out, PointObject, LineObject>(
       {.id = "point-line",
+       .word = "distance",
        .roles = {"Q", "g"},
        .makes = {{"F", &Out::hasLine, &Out::F}},
        .letters = {"w", "t", "h", "dist"},

@@ -217,6 +217,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction ray_plane_dot() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "ray-plane-dot",
+       .word = "intersect",
        .roles = {"E", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
        .letters = {"d", "f", "a", "b", "t", "nf"},

@@ -359,6 +359,7 @@ ValueTable<Out> values() {
 
 Construction ray_polygon_pluecker() {
   return taught<Out, PolygonObject, RayObject>({.id = "ray-polygon-pluecker",
+                                                .word = "intersect",
                                                 .roles = {"W", "L"},
                                                 .makes = {{"I", &Out::crosses, &Out::I}},
                                                 .letters = joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},

@@ -492,6 +492,7 @@ MadeRow<Out> madePoint(const char *name, std::size_t index) {
 Construction ray_solid_pluecker() {
   return taught<Out, SolidObject, RayObject>(
       {.id = "ray-solid-pluecker",
+       .word = "intersect",
        .roles = {"K", "L"},
        .makes = {madePoint("H1", 0), madePoint("H2", 1)},
        .letters = joined({{"m", "k", "N", "t1", "t2", "n1", "n2"},

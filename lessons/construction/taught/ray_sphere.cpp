@@ -373,6 +373,7 @@ Term parametersOf(const Out &at) {
 Construction ray_sphere() {
   return taught<Out, SphereObject, RayObject>(
       {.id = "ray-sphere",
+       .word = "intersect",
        .roles = {"S", "L"},
        .makes = {{"M", &Out::hasLine, &Out::M}},
        .letters = {"w", "a", "b", "k", "D", "t1", "t2", "H1", "H2", "n1", "n2", "h", "s"},

@@ -283,6 +283,7 @@ ValueRow<Out> perpRow() {
 Construction ray_triangle_perp() {
   return taught<Out, TriangleObject, RayObject>(
       {.id = "ray-triangle-perp",
+       .word = "intersect",
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
        .letters = {"u", "v", "n", "G", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},

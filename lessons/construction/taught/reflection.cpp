@@ -290,6 +290,7 @@ ValueTable<Out> values() {
 Construction reflection() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "reflection",
+       .word = "reflect",
        .roles = {"E", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
        .letters = {"t", "a", "h", "θ"},

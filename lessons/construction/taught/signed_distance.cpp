@@ -226,6 +226,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction signed_distance() {
   return taught<Out, PlaneObject, PointObject>(
       {.id = "signed-distance",
+       .word = "distance",
        .roles = {"E", "Q"},
        .makes = {{"F", &Out::hasPlane, &Out::F}},
        .letters = {"f", "w", "dist", "θ", "M"},

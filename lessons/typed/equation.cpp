@@ -1,0 +1,137 @@
+#include "lessons/typed/equation.h"
+
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+constexpr std::array<std::string_view, 3> unknowns{"x", "y", "z"};
+
+/// The highest power of the unknowns in a formula; nothing where it is none of them.
+std::optional<int> degreeOf(const Formula &formula) {
+  std::vector<int> degrees;
+  for (const Formula &part : formula.parts) {
+    const auto degree = degreeOf(part);
+    if (!degree)
+      return {};
+    degrees.push_back(*degree);
+  }
+  switch (formula.kind) {
+  case FormulaKind::Number:
+    return 0;
+  case FormulaKind::Name:
+    return 1;
+  case FormulaKind::Sum:
+  case FormulaKind::Difference:
+    return std::max(degrees[0], degrees[1]);
+  case FormulaKind::Negative:
+    return degrees[0];
+  case FormulaKind::Product:
+  case FormulaKind::Dot:
+    return degrees[0] + degrees[1];
+  case FormulaKind::Quotient:
+    return degrees[1] == 0 ? std::optional(degrees[0]) : std::nullopt;
+  case FormulaKind::Power:
+    return degrees[0] * static_cast<int>(formula.parts[1].number.words()->numerator);
+  default:
+    return {};
+  }
+}
+
+std::optional<FormulaFault> faultIn(const Formula &formula) {
+  std::optional<FormulaFault> fault;
+  const std::function<void(const Formula &)> look = [&](const Formula &part) {
+    const bool isUnknown = std::find(unknowns.begin(), unknowns.end(), part.name) != unknowns.end();
+    if (!fault && part.kind == FormulaKind::Name && !isUnknown)
+      fault = FormulaFault{words("The equation of a plane has x, y, z and numbers: write plane(P, n) for one "
+                                 "that follows others."),
+                           part.at};
+    for (const Formula &each : part.parts)
+      look(each);
+  };
+  look(formula);
+  if (!fault && degreeOf(formula).value_or(2) > 1)
+    fault = FormulaFault{words("A plane has an equation as x + 2y + 2z = 27: no products of x, y and z."),
+                         formula.at};
+  return fault;
+}
+
+/// At x, y, z; nothing where it would be divided by zero.
+std::optional<Rational> valueAt(const Formula &formula, const ExactVec3 &place) {
+  const auto value = valueOf(formula, [&](std::string_view name) -> std::optional<FormulaValue> {
+    for (std::size_t axis = 0; axis < unknowns.size(); ++axis)
+      if (name == unknowns.at(axis))
+        return place[static_cast<int>(axis)];
+    return {};
+  });
+  const auto *found = std::get_if<FormulaValue>(&value);
+  return found ? std::optional(std::get<Rational>(*found)) : std::nullopt;
+}
+
+/// A point of n · x = d on an axis.
+ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
+  std::optional<int> chosen;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (normal[axis] == 0)
+      continue;
+    if (!chosen || (Rational(d / normal[axis]).isInteger() && !Rational(d / normal[*chosen]).isInteger()))
+      chosen = axis;
+  }
+  ExactVec3 point(0);
+  point[*chosen] = d / normal[*chosen];
+  return point;
+}
+
+bool isNamed(const Formula &formula, const std::function<bool(const std::string &)> &isMeant) {
+  return formula.kind == FormulaKind::Name && isMeant(formula.name);
+}
+
+bool hasName(const Formula &formula, const std::string &name) {
+  bool has = false;
+  forEachName(formula, [&](const std::string &each) { has = has || each == name; });
+  return has;
+}
+
+} // namespace
+
+std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right) {
+  const Formula zero{FormulaKind::Difference, {}, {}, {left, right}, left.at};
+  if (auto fault = faultIn(zero))
+    return *fault;
+  const auto constant = valueAt(zero, ExactVec3(0));
+  if (!constant)
+    return FormulaFault{words("This would be divided by zero."), left.at};
+  ExactVec3 normal(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    ExactVec3 unit(0);
+    unit[axis] = 1;
+    normal[axis] = *valueAt(zero, unit) - *constant;
+  }
+  if (isZero(normal))
+    return FormulaFault{words("No x, y or z is left in this equation: it is no plane."), left.at};
+  return PlaneObject{pointOn(normal, -*constant), normal};
+}
+
+std::optional<ParametricLine> parametricOf(const Formula &formula,
+                                           const std::function<bool(const std::string &)> &isUnknown) {
+  if (formula.kind != FormulaKind::Sum && formula.kind != FormulaKind::Difference)
+    return {};
+  const Formula &product = formula.parts[1];
+  if (product.kind != FormulaKind::Product && product.kind != FormulaKind::Dot)
+    return {};
+  for (const std::size_t place : {0U, 1U}) {
+    const Formula &name = product.parts[place];
+    Formula direction = product.parts[1 - place];
+    if (!isNamed(name, isUnknown) || hasName(direction, name.name) || hasName(formula.parts[0], name.name))
+      continue;
+    if (formula.kind == FormulaKind::Difference)
+      direction = {FormulaKind::Negative, {}, {}, {direction}, direction.at};
+    return ParametricLine{formula.parts[0], std::move(direction), name.name};
+  }
+  return {};
+}
+
+} // namespace halfspace

@@ -1,0 +1,25 @@
+// Planes and lines as they are written on paper.
+#pragma once
+
+#include "lessons/formula/formula.h"
+#include "lessons/object/kinds/plane.h"
+
+namespace halfspace {
+
+/// The plane of left = right, with x, y and z and with numbers; its point lies on an axis, with whole numbers
+/// where one such has them. Or what keeps it from being one.
+[[nodiscard]] std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right);
+
+/// A + t v: a point, a vector, and what the parameter is called.
+struct ParametricLine {
+  Formula start;
+  Formula direction;
+  std::string parameter;
+};
+
+/// A formula as one of a line: a sum or a difference, whose second part is a product with a name that stands
+/// for nothing else. Nothing for any other formula.
+[[nodiscard]] std::optional<ParametricLine>
+parametricOf(const Formula &formula, const std::function<bool(const std::string &)> &isUnknown);
+
+} // namespace halfspace

@@ -1,0 +1,54 @@
+#include "lessons/typed/typed_scene.h"
+
+#include "lessons/text.h"
+#include "lessons/typed/mend_line.h"
+#include "lessons/typed/read_line.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// The column of a byte, counted in characters from 1.
+std::size_t columnOf(std::string_view line, std::size_t at) {
+  std::size_t column = 1;
+  for (std::string_view before = line.substr(0, at); !before.empty();
+       before.remove_prefix(std::max<std::size_t>(characterLength(before), 1)))
+    ++column;
+  return column;
+}
+
+Problem problemOf(const TypedFault &fault, std::string_view line, int number, const Scene &above,
+                  const std::string &file, char decimalMark) {
+  std::string sentence =
+      words("Column {column}: {sentence}",
+            {{"column", std::to_string(columnOf(line, fault.at))}, {"sentence", fault.sentence}});
+  if (const auto mends = mendsOf(line, above, decimalMark, 1); !mends.empty())
+    sentence += " " + words("Perhaps you meant: {line}", {{"line", mends.front()}});
+  return {std::move(sentence), file, number, ""};
+}
+
+} // namespace
+
+Result<Scene> readTypedScene(std::string_view text, const std::string &file, char decimalMark) {
+  if (const auto at = firstNoText(text))
+    return Problem{words("This is no text."), file, 1, ""};
+  Scene scene;
+  int number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, std::min(end, text.find('#'))));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty())
+      continue;
+    auto entry = readLine(line, scene, decimalMark);
+    if (const auto *fault = std::get_if<TypedFault>(&entry))
+      return problemOf(*fault, line, number, scene, file, decimalMark);
+    scene.entries.push_back(std::get<Entry>(std::move(entry)));
+  }
+  return scene;
+}
+
+} // namespace halfspace

@@ -1,0 +1,199 @@
+// Entries as lines that somebody types.
+#include "lessons/construction/construction.h"
+#include "lessons/lesson/lesson.h"
+#include "lessons/object/coordinate_limits.h"
+#include "lessons/typed/read_line.h"
+#include "lessons/typed/write_line.h"
+#include "tests/lessons/construction/random_objects.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+/// The scene after these lines.
+Scene typed(const std::vector<std::string> &lines) {
+  Scene scene;
+  for (const std::string &line : lines) {
+    auto entry = readLine(line, scene);
+    if (const auto *fault = std::get_if<TypedFault>(&entry)) {
+      ADD_FAILURE() << line << ": " << fault->sentence << " at " << fault->at;
+      return scene;
+    }
+    scene.entries.push_back(std::get<Entry>(std::move(entry)));
+  }
+  return scene;
+}
+
+Object objectOf(const std::string &line) { return std::get<Object>(typed({line}).entries[0].content); }
+
+ConstructionUse useOf(const Scene &scene) {
+  return std::get<ConstructionUse>(scene.entries[scene.entries.size() - 1].content);
+}
+
+TEST(TypedLine, AsOnPaper_IsTheObject) {
+  EXPECT_EQ(objectOf("Q = (11, 15, 8)"), Object(PointObject{{11, 15, 8}}));
+  EXPECT_EQ(objectOf("Q = (1/2, -3 1/3, 0.25)"),
+            Object(PointObject{{test::q(1, 2), test::q(-10, 3), test::q(1, 4)}}));
+  EXPECT_EQ(objectOf("v=(1,2,3)"), Object(VectorObject{ExactVec3(0), {1, 2, 3}}));
+  EXPECT_EQ(objectOf("E: x + 2y + 2z = 27"), Object(PlaneObject{{27, 0, 0}, {1, 2, 2}}));
+  EXPECT_EQ(objectOf("E: 2(x + y) = 3z - 6 + y"), Object(PlaneObject{{-3, 0, 0}, {2, 1, -3}}));
+  EXPECT_EQ(objectOf("g = (1, 2, 3) + t(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(objectOf("g = (1, 2, 3) - s(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {-4, -5, -6}}));
+  EXPECT_EQ(objectOf("r = (1, 2, 3) + t(4, 5, 6)"), Object(RayObject{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(objectOf("g = (1, 2, 3) + t(4, 5, 6), t >= 0"), Object(RayObject{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(kindOf(objectOf("s = (1, 2, 3) + t(4, 5, 6), 0 <= t <= 1")), "segment");
+  EXPECT_EQ(objectOf("E = plane((0, 0, 1), (1, 0, 1), (0, 1, 1))"),
+            Object(PlaneObject{{0, 0, 1}, {0, 0, 1}}));
+  EXPECT_EQ(objectOf("k = 3/2"), Object(NumberObject{test::q(3, 2), -10, 10, test::q(1, 10)}));
+  EXPECT_EQ(objectOf("k = 30, 0 <= k <= 50, step 1/2"), Object(NumberObject{30, 0, 50, test::q(1, 2)}));
+  EXPECT_EQ(typed({"Q = (1, 2, 3), green"}).entries[0].color, Hue::Green);
+}
+
+TEST(TypedLine, WithNamesInIt_FollowsThem) {
+  const Scene scene = typed({"k = 3/2", "A = (1, 2, 3)", "B = (k, 2k, 1)", "M = (A + B)/2", "w = B - A",
+                             "E = plane(A, B, M)", "r = A + t w", "m = 2k + A.z"});
+  const Evaluation evaluation = evaluate(scene);
+  const auto object = [&](const char *name) { return evaluation.find(name)->offers.front().given->object; };
+  EXPECT_EQ(object("B"), Object(PointObject{{test::q(3, 2), 3, 1}}));
+  EXPECT_EQ(object("M"), Object(PointObject{{test::q(5, 4), test::q(5, 2), 2}}));
+  EXPECT_EQ(object("w"), Object(VectorObject{ExactVec3(0), {test::q(1, 2), 1, -2}}));
+  EXPECT_EQ(object("r"), Object(RayObject{{1, 2, 3}, {test::q(1, 2), 1, -2}}));
+  EXPECT_EQ(object("m"), Object(NumberObject{6, 6, 6, 0}));
+  auto moved = apply(scene, ChangeObject{"A", PointObject{{0, 0, 0}}});
+  ASSERT_TRUE(moved);
+  const Evaluation after = evaluate(*moved, evaluation);
+  EXPECT_EQ(after.find("M")->offers.front().given->object,
+            Object(PointObject{{test::q(3, 4), test::q(3, 2), test::q(1, 2)}}));
+}
+
+TEST(TypedLine, ThatDividesByZero_IsACaseThatComesBack) {
+  const Scene scene = typed({"k = 0", "Q = (1/k, 0, 0)", "P = 2 Q", "E: z = 1", "d = distance(P, E)"});
+  const Evaluation evaluation = evaluate(scene);
+  for (const char *name : {"Q", "P", "d"})
+    EXPECT_EQ(evaluation.find(name)->outcome->told->name, "missing-object") << name;
+  EXPECT_EQ(evaluation.find("d")->missing, "This would be divided by zero.");
+  const auto moved = apply(scene, ChangeObject{"k", NumberObject{2, -10, 10, test::q(1, 10)}});
+  const Evaluation after = evaluate(*moved, evaluation);
+  EXPECT_EQ(after.find("P")->offers.front().given->object, Object(PointObject{{1, 0, 0}}));
+  EXPECT_NE(after.find("d")->outcome->told->name, "missing-object");
+}
+
+TEST(TypedLine, OfAConstruction_TakesWhatFits_InAnyOrder) {
+  const std::vector<std::string> objects{"E: x + 2y + 2z = 27", "F: y + z = 6", "Q = (11, 15, 8)",
+                                         "r = Q + t(-1, 3, 2)", "g = Q + t(1, 0, 0)"};
+  const auto use = [&](const std::string &line) {
+    std::vector<std::string> lines = objects;
+    lines.push_back(line);
+    return useOf(typed(lines));
+  };
+  EXPECT_EQ(use("d = distance(Q, E)"), (ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}));
+  EXPECT_EQ(use("d = signed-distance(E, Q)"), (ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}));
+  EXPECT_EQ(use("d = distance(g, Q)").id, "point-line");
+  EXPECT_EQ(use("h = intersect(r, E)").id, "ray-plane-dot");
+  EXPECT_EQ(use("h = intersect(E, F)"), (ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}));
+  EXPECT_EQ(use("h = ray-plane-substitution(E, F, r)").roles.at("planes").ids.size(), 2U);
+}
+
+TEST(TypedLine, OfWhatAnotherMakes_NamesIt) {
+  const Scene scene = typed({"E: z = 0", "Q = (1, 2, 3)", "d = distance(Q, E)", "D = distance(d.F, E)",
+                             "M = (Q + d.F)/2", "N = (Q + d)/2"});
+  EXPECT_EQ(std::get<ConstructionUse>(scene.entries[3].content).roles.at("Q"), "d.F");
+  const Evaluation evaluation = evaluate(scene);
+  for (const char *name : {"M", "N"})
+    EXPECT_EQ(evaluation.find(name)->offers.front().given->object,
+              Object(PointObject{{1, 2, test::q(3, 2)}}));
+}
+
+TEST(TypedLine, ThatIsWrong_SaysWhatAndWhere) {
+  const Scene scene = typed({"E: z = 0", "Q = (1, 2, 3)", "T = triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))"});
+  for (const auto &[line, at, part] :
+       {std::tuple("", 0U, "begins with a name"),
+        {"Q = (1, 2, 3)", 0U, "There is “Q” already"},
+        {"P (1, 2, 3)", 2U, "“=” is needed"},
+        {"P = (1, 2", 9U, "closing bracket"},
+        {"P = (1, 2)", 4U, "three numbers"},
+        {"d = distance(Q, T)", 16U, "“T” is a triangle: a plane is needed here"},
+        {"d = distance(Q, F)", 16U, "There is no “F”"},
+        {"d = distanc(Q, E)", 4U, "There is no “distanc”"},
+        {"M = (Q + E)/2", 9U, "“E” is a plane"},
+        {"M = (Q + 1)/2", 9U, "cannot be added"},
+        {"E2: x*y = 3", 4U, "no products"},
+        {"E2: x - x = 3", 4U, "no plane"},
+        {"E2: kx = 3", 4U, "plane(P, n)"},
+        {"k = 1/0", 4U, "divided by zero"},
+        {"k = 1, 2 <= k", 7U, "bounds"},
+        {"P = (1, 2, 3), greem", 15U, "not a colour"},
+        {"s = sphere((1, 2, 3), -1)", 0U, "cannot be"},
+        {"P = (1, 2, 3) + t(1, 2, 3), t < 0", 28U, "t >= 0"},
+        {"P = (1, 2, 3) §", 14U, "cannot be read"}}) {
+    const auto entry = readLine(line, scene);
+    const auto *fault = std::get_if<TypedFault>(&entry);
+    ASSERT_TRUE(fault) << line;
+    EXPECT_EQ(fault->at, at) << line << ": " << fault->sentence;
+    EXPECT_NE(fault->sentence.find(part), std::string::npos) << line << ": " << fault->sentence;
+  }
+}
+
+/// A single number is its x alone.
+Object withPlainNumbers(Object object) {
+  for (std::size_t i = 0; i < object.size(); ++i)
+    if (numbersIn(coordinatesOf(object)[i].role) == 1)
+      object[i] = {object[i].x, 0, 0};
+  return object;
+}
+
+/// Each entry as a line, and the line as an entry again.
+void expectSameAgain(const Scene &scene, char decimalMark, int &lines) {
+  Scene above;
+  for (const Entry &entry : scene.entries) {
+    const auto *object = std::get_if<Object>(&entry.content);
+    const bool isBeyondLimits = object && refusedCoordinateOf(*object);
+    if (const std::string line = lineFor(entry, decimalMark); !line.empty() && !isBeyondLimits) {
+      ++lines;
+      const auto again = readLine(line, above, decimalMark);
+      const auto *fault = std::get_if<TypedFault>(&again);
+      ASSERT_FALSE(fault) << line << ": " << fault->sentence << " at " << fault->at;
+      ASSERT_EQ(std::get<Entry>(again), entry) << line;
+      ASSERT_EQ(lineFor(std::get<Entry>(again), decimalMark), line);
+    }
+    above.entries.push_back(entry);
+  }
+}
+
+TEST(TypedLine, OfEachEntryOfOurLessons_IsReadAsThatEntry) {
+  int lines = 0;
+  const LessonLibrary library = readLessons(LESSON_FOLDER);
+  ASSERT_GT(library.lessons.size(), 20U);
+  for (const Lesson &lesson : library.lessons)
+    for (const char mark : {'.', ','})
+      expectSameAgain(lesson.scene, mark, lines);
+  EXPECT_GT(lines, 200);
+}
+
+TEST(TypedLine, OfEachKindAndConstruction_IsReadAsThatEntry) {
+  int lines = 0;
+  test::RandomObjects random(11);
+  for (const Construction &construction : constructions())
+    for (const test::Writing writing : {test::Writing::SmallIntegers, test::Writing::Fractions,
+                                        test::Writing::LongFractions, test::Writing::LargeIntegers})
+      for (int i = 0; i < 25; ++i) {
+        std::vector<Object> objects = random.objectsFor(construction, writing);
+        std::transform(objects.begin(), objects.end(), objects.begin(), withPlainNumbers);
+        expectSameAgain(test::sceneOf(construction, objects), i % 2 ? '.' : ',', lines);
+      }
+  EXPECT_GT(lines, 8000);
+}
+
+TEST(TypedLine, WithFormulas_IsReadAsThatEntry) {
+  int lines = 0;
+  expectSameAgain(typed({"k = 3/2", "A = (1, 2, 3)", "b = (k, 2k, 1)", "M = (A + b)/2, pink", "q = point(A)",
+                         "V = vector(A, 2b)", "E = plane(A, M, q)", "S = sphere(A, k^2)", "m = -k",
+                         "C = polygon(A, M, 2A, q)"}),
+                  '.', lines);
+  EXPECT_EQ(lines, 10);
+}
+
+} // namespace
+} // namespace halfspace
