@@ -114,7 +114,18 @@ void addWindow(CLI::App &app, WindowCommand &command) {
 CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
   auto *explain =
       app.add_subcommand("explain", words("Print values, worked lines and the case in plain words"));
-  addSubject(*explain, command.subject, command.assignments);
+  auto *subject =
+      explain
+          ->add_option("subject", command.subject,
+                       words("A lesson's id, its .md file, a .halfspace file or a picture with a scene"))
+          ->type_name("LESSON|FILE");
+  addAssignments(*explain, command.assignments);
+  explain
+      ->add_option(
+          "--typed", command.typedFile,
+          words("In its place a scene as it is typed, an entry a line: Q = (1, 2, 3); - reads what comes in"))
+      ->type_name("FILE")
+      ->excludes(subject);
   explain->add_option("--format", command.format, words("How it is written"))
       ->type_name("text|latex|mathml|json")
       ->check(CLI::IsMember({"text", "latex", "mathml", "json"}).description(""))
@@ -367,6 +378,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
     return ConstructionsCommand();
   if (check->parsed())
     return arguments.check;
+  if (explain->parsed() && explain->count("subject") == 0 && !arguments.explain.typedFile)
+    return complaint(words("Say what to explain: a lesson, a file, or lines with --typed."));
   if (explain->parsed())
     return arguments.explain;
   if (eval->parsed())

@@ -43,8 +43,9 @@ struct CheckCommand {
 
 struct ExplainCommand {
   std::string subject;
-  std::vector<std::string> assignments; ///< name=value
-  std::string format = "text";          ///< text, latex, mathml or json
+  std::optional<std::string> typedFile{}; ///< in the place of a subject: lines of a scene; -: standard input
+  std::vector<std::string> assignments;   ///< name=value
+  std::string format = "text";            ///< text, latex, mathml or json
   OwnLessons ownLessons{};
 };
 

@@ -6,8 +6,11 @@
 #include "app/standard_streams.h"
 #include "app/subject_opener.h"
 #include "lessons/construction/reference.h"
+#include "lessons/files/read_file.h"
+#include "lessons/language.h"
 #include "lessons/scene/file/explain_formats.h"
 #include "lessons/text.h"
+#include "lessons/typed/typed_scene.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
 
@@ -20,6 +23,23 @@ namespace {
 
 /// What was asked for was done, and found something.
 constexpr int exitProblems = 1;
+/// Nobody types more.
+constexpr std::size_t mostTypedBytes = 1U << 20U;
+
+Result<std::string> readStandardInput(std::size_t mostBytes) {
+  std::string text;
+  while (text.size() <= mostBytes) {
+    const std::size_t begun = text.size();
+    text.resize(begun + mostBytes / 16);
+    const ReadPart part = readSome(STDIN_FILENO, text.data() + begun, text.size() - begun);
+    text.resize(begun + part.count);
+    if (part.error != 0)
+      return Problem{words("What comes in cannot be read."), "", 0, ""};
+    if (part.count == 0)
+      return text;
+  }
+  return Problem{words("What comes in is too long."), "", 0, ""};
+}
 
 } // namespace
 
@@ -27,6 +47,18 @@ Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &sub
                                   const std::vector<std::string> &assignments) {
   auto opened = SubjectOpener(own).open(subject, library);
   return opened ? withValues(std::move(*opened), assignments) : opened;
+}
+
+Result<OpenedSession> openTyped(const std::string &file, const std::vector<std::string> &assignments) {
+  const auto text = file == "-" ? readStandardInput(mostTypedBytes) : readFile(file, mostTypedBytes);
+  if (!text)
+    return text.problem();
+  auto scene = readTypedScene(*text, file == "-" ? "" : file, language().decimalMark);
+  if (!scene)
+    return scene.problem();
+  OpenedSession opened;
+  opened.session.scene = std::move(*scene);
+  return withValues(std::move(opened), assignments);
 }
 
 int runLessons(const LessonsCommand &command) {
@@ -102,7 +134,9 @@ int runCheck(const CheckCommand &command) {
 
 int runExplain(const ExplainCommand &command) {
   LessonLibrary library;
-  const auto opened = openSubject(library, command.subject, command.ownLessons, command.assignments);
+  const auto opened = command.typedFile
+                          ? openTyped(*command.typedFile, command.assignments)
+                          : openSubject(library, command.subject, command.ownLessons, command.assignments);
   if (!opened)
     return fail(opened.problem());
   const Scene &scene = opened->session.scene;

@@ -208,7 +208,7 @@ TEST_F(Program, AnEmptySubject_IsNoLesson) {
 }
 
 TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
-  expectRefused("explain", "subject");
+  expectRefused("explain", "Say what to explain: a lesson, a file, or lines with --typed.");
   expectRefused("explain signed-distance --format xml", "xml");
   expectRefused("lessons --yaml", "--yaml");
   expectRefused("explin ray-sphere", "Perhaps the command “explain” is meant. Try halfspace --help.");
