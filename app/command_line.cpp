@@ -11,7 +11,6 @@
 #include "lessons/words.h"
 #include "widgets/carriers/carrier.h"
 #include "widgets/mesh_files/serve_mesh.h"
-#include "widgets/scene/offscreen.h"
 
 #include <CLI/CLI.hpp>
 

@@ -6,7 +6,8 @@
 
 namespace halfspace {
 
-/// Each returns the program's exit status: 0, or exitRefused after one sentence on standard error.
+/// Each returns the program's exit status: 0, exitRefused after a sentence on standard error, or what it
+/// says.
 [[nodiscard]] int runLessons(const LessonsCommand &command);
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);

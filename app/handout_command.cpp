@@ -6,6 +6,9 @@
 #include "lessons/words.h"
 #include "widgets/typeset/typesetter.h"
 
+#include <filesystem>
+#include <system_error>
+
 namespace halfspace {
 namespace {
 
@@ -36,6 +39,10 @@ int runHandout(const HandoutCommand &command) {
   auto steps = stepsOf(command, *opened->lesson);
   if (!steps)
     return fail(steps.problem());
+  if (std::error_code error; std::filesystem::equivalent(command.subject, command.output, error))
+    return fail(
+        {words("“{file}” is read for this: a handout cannot be written over it.", {{"file", command.output}}),
+         "", 0, "--output"});
   const HandoutChoices choices{std::move(*steps), command.paper,      command.columns,
                                command.hidden,    command.hasAnswers, command.isAnonymous};
   const Typesetter typesetter;

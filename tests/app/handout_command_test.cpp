@@ -84,6 +84,10 @@ TEST_F(Handouts, ThatCannotBeMade_AreRefusedInASentence) {
   expectRefused("handout ray-sphere", "--output");
   expectRefused("handout nowhere -o a.pdf", "There is no lesson “nowhere”");
   expectRefused("handout ray-sphere -o a.png", "let the name end in .pdf");
+  ASSERT_EQ(run("render ray-sphere -o own.pdf").status, 0);
+  const std::string before = file("own.pdf");
+  expectRefused("handout own.pdf -o ./own.pdf", "a handout cannot be written over it");
+  EXPECT_EQ(file("own.pdf"), before);
   expectRefused("handout ray-sphere -o a.pdf --steps x", "--steps takes numbers of steps");
   expectRefused("handout ray-sphere -o a.pdf --steps 0", "--steps takes numbers of steps");
   expectRefused("handout ray-sphere -o a.pdf --steps 3-1", "--steps takes numbers of steps");
