@@ -67,8 +67,8 @@ std::string optionParagraphs(const CommandDescription &command) {
 std::string exitStatuses() {
   return paragraph("0", roff(words("What was asked for is done."))) +
          paragraph("1", roff(words("Something is wrong with what was looked at, or some of several figures "
-                                   "could not be made; what it is stands on standard error."))) +
-         paragraph("2", roff(words("Nothing was done; the sentence on standard error says why.")));
+                                   "could not be made; what it is is told."))) +
+         paragraph("2", roff(words("It could not be done; the sentence on standard error says why.")));
 }
 
 } // namespace

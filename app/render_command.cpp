@@ -8,7 +8,6 @@
 #include "lessons/words.h"
 #include "widgets/picture/shapes/surface_layers.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -73,6 +72,8 @@ std::optional<Problem> addSubject(const std::string &name, bool isAlone, const R
 Result<RenderPlan> planOf(const RenderCommand &command, const ValueRows *rows, SubjectOpener &opener) {
   RenderPlan plan;
   const auto names = subjectsOf(command, opener);
+  if (names.empty())
+    return Problem{words("There are no lessons to draw."), "", 0, ""};
   const bool isAlone = names.size() == 1;
   for (const std::string &name : names)
     if (const auto problem = addSubject(name, isAlone, command, rows, opener, plan)) {

@@ -1,9 +1,8 @@
 #include "app/batch/flight_frame.h"
 
 #include "lessons/lesson/step_of_flight.h"
-#include "lessons/object/kind.h"
-#include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
+#include "widgets/flight/scene_flight.h"
 
 #include <string>
 #include <utility>
@@ -11,20 +10,17 @@
 namespace halfspace {
 namespace {
 
-/// The name of the scene's number that counts the frames.
-const std::string &frameNumberOf(const OpenedSession &opened) {
-  return flightOf(*stepOfFlight(opened))->frame;
+/// The flight as the scene has it; nothing where the lesson has none, or its number is gone from the scene.
+std::optional<SceneFlight> flightOf(const OpenedSession &opened) {
+  const LessonStep *step = stepOfFlight(opened);
+  return step ? flightIn(opened.session.scene, *flightOf(*step)) : std::nullopt;
 }
 
-Rational goTo(const Rational &wanted, OpenedSession &opened) {
-  Scene &scene = opened.session.scene;
-  const std::string &name = frameNumberOf(opened);
-  Object number = *findObject(scene, name);
-  number[0].x = wanted;
-  number.kind().settle(number);
-  const Rational frame = number[0].x;
-  setObject(scene, name, std::move(number));
-  return frame;
+/// Puts the scene at the frame that is nearest, and returns that.
+Rational goTo(const Rational &wanted, const SceneFlight &flight, Scene &scene) {
+  const ChangeObject change = flight.toFrame(wanted);
+  setObject(scene, change.name, change.value);
+  return objectAs<NumberObject>(change.value)->value;
 }
 
 } // namespace
@@ -34,19 +30,19 @@ const LessonStep *stepOfFlight(const OpenedSession &opened) {
 }
 
 void goToFirstFrame(OpenedSession &opened) {
-  goTo(objectAs<NumberObject>(*findObject(opened.session.scene, frameNumberOf(opened)))->from, opened);
+  if (const auto flight = flightOf(opened))
+    goTo(flight->frame.from, *flight, opened.session.scene);
 }
 
-Rational goToFrame(int wanted, OpenedSession &opened) { return goTo(wanted, opened); }
-
-std::optional<Problem> refuseFrame(int frame, OpenedSession opened) {
-  if (!stepOfFlight(opened))
+std::optional<Problem> goToFrame(int wanted, OpenedSession &opened) {
+  const auto flight = flightOf(opened);
+  if (!flight)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
-  const Rational nearest = goToFrame(frame, opened);
-  if (nearest == frame)
+  const Rational nearest = goTo(wanted, *flight, opened.session.scene);
+  if (nearest == wanted)
     return {};
   return Problem{words("The flight has no frame {frame}: the nearest is {nearest}.",
-                       {{"frame", std::to_string(frame)}, {"nearest", toText(nearest)}}),
+                       {{"frame", std::to_string(wanted)}, {"nearest", toText(nearest)}}),
                  "", 0, "--frame"};
 }
 

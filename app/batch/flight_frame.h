@@ -10,12 +10,9 @@ namespace halfspace {
 /// The last step that shows the lesson's flight; null where it has none.
 [[nodiscard]] const LessonStep *stepOfFlight(const OpenedSession &opened);
 
-/// Puts the scene at the first frame of its flight. Requires one.
+/// Puts the scene at the first frame of its flight, where it has one.
 void goToFirstFrame(OpenedSession &opened);
-/// Puts the scene at the frame that is nearest to the wanted one, and returns that. Requires a flight.
-Rational goToFrame(int wanted, OpenedSession &opened);
-
-/// Why a scene has no such frame; nothing where it has.
-[[nodiscard]] std::optional<Problem> refuseFrame(int frame, OpenedSession opened);
+/// Puts the scene at a frame of its flight, or at the one that is nearest; why that is not the wanted one.
+[[nodiscard]] std::optional<Problem> goToFrame(int wanted, OpenedSession &opened);
 
 } // namespace halfspace

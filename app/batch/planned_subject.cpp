@@ -36,10 +36,10 @@ std::vector<std::optional<int>> stepsOf(const OpenedSession &opened, const Rende
   return steps;
 }
 
-std::optional<Problem> refuseFrames(const OpenedSession &opened, const RenderCommand &command) {
+std::optional<Problem> refuseFrames(OpenedSession opened, const RenderCommand &command) {
   if (command.frames)
     for (const int frame : {command.frames->first, command.frames->second})
-      if (auto problem = refuseFrame(frame, opened))
+      if (auto problem = goToFrame(frame, opened))
         return problem;
   return {};
 }

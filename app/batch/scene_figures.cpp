@@ -11,6 +11,10 @@
 
 namespace halfspace {
 
+namespace {
+
+/// The step that a figure shows, null for the whole of the scene: the one of this number, counted from 1, or
+/// where none is asked for that of the flight, of frames, or of a session. Requires that the lesson has it.
 const LessonStep *stepShown(const OpenedSession &opened, std::optional<int> step, bool isFrame) {
   const Lesson *lesson = opened.lesson;
   if (step)
@@ -21,6 +25,8 @@ const LessonStep *stepShown(const OpenedSession &opened, std::optional<int> step
   return lesson && isSession ? &stepOf(*lesson, nearestStep(*lesson, opened.session.step)) : nullptr;
 }
 
+} // namespace
+
 SceneFigures::SceneFigures(const RenderCommand &command, OpenedSession opened, std::string name)
     : m_command(command), m_opened(std::move(opened)), m_name(std::move(name)) {
   if (command.onlyChanged)
@@ -30,8 +36,8 @@ SceneFigures::SceneFigures(const RenderCommand &command, OpenedSession opened, s
 Result<FigureSubject> SceneFigures::subjectOf(std::optional<int> step, std::optional<int> frame,
                                               const FigureChoices &choices) {
   evaluateOnce();
-  if (frame)
-    showFrame(*frame);
+  if (auto problem = frame ? showFrame(*frame) : std::nullopt)
+    return std::move(*problem);
   const LessonStep *shown = stepShown(m_opened, step, frame.has_value());
   FigureSubject subject;
   subject.content = contentAt(shown, m_now);
@@ -68,13 +74,14 @@ void SceneFigures::evaluateOnce() {
   m_stage = stageOf(scene, boundObjectsOf(scene, m_now));
 }
 
-void SceneFigures::showFrame(int frame) {
+std::optional<Problem> SceneFigures::showFrame(int frame) {
   if (!m_firstFrame) {
     goToFirstFrame(m_opened);
     m_firstFrame = evaluate(m_opened.session.scene, m_now);
   }
-  goToFrame(frame, m_opened);
+  auto problem = goToFrame(frame, m_opened);
   m_now = evaluate(m_opened.session.scene, m_now);
+  return problem;
 }
 
 SceneContent SceneFigures::contentAt(const LessonStep *step, const Evaluation &evaluation) const {

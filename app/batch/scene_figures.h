@@ -10,10 +10,6 @@
 
 namespace halfspace {
 
-/// The step that a figure shows, null for the whole of the scene: the one of this number, counted from 1, or
-/// where none is asked for that of the flight, of frames, or of a session. Requires that the lesson has it.
-[[nodiscard]] const LessonStep *stepShown(const OpenedSession &opened, std::optional<int> step, bool isFrame);
-
 /// The scene is evaluated when the first figure is asked for. All figures are seen from one place, and frames
 /// are framed and labelled as the flight's first is.
 class SceneFigures {
@@ -33,7 +29,7 @@ public:
 private:
   void evaluateOnce();
   /// Puts the scene there and evaluates it.
-  void showFrame(int frame);
+  [[nodiscard]] std::optional<Problem> showFrame(int frame);
   [[nodiscard]] SceneContent contentAt(const LessonStep *step, const Evaluation &evaluation) const;
   /// Flat pictures are each laid on their page by themselves.
   [[nodiscard]] Result<FlatPicture> flatAt(const LessonStep *step) const;

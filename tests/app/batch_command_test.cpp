@@ -119,6 +119,19 @@ TEST_F(Batch, GoesOnAfterAFigureThatCannotBeMade) {
   EXPECT_EQ(files(), (Names{"values.csv", "1.svg", "4.svg"}));
 }
 
+TEST_F(Batch, OfFramesThatARowTakesAway_HasTheOthers) {
+  write("ends.csv", "frame.to\n5\n");
+  expectMissing("render photon-torpedo --rows ends.csv --frames 5:7 -o '{frame}.svg'",
+                "The flight has no frame 6: the nearest is 5.", "1 of 3");
+  EXPECT_EQ(files(), (Names{"ends.csv", "5.svg"}));
+}
+
+TEST_F(Batch, OfFramesOfASceneWithoutItsFlight_IsRefused) {
+  write("own.halfspace", R"({"format":"halfspace","version":5,"lesson":"photon-torpedo","step":1,)"
+                         R"("scene":[{"name":"Q","point":[1,2,3]}]})");
+  expectRefused("render own.halfspace --frame 3 -o a.svg", "no flight whose frames");
+}
+
 TEST_F(Batch, GoesOnAfterALessonThatIsNotThere) {
   expectMissing("render nowhere signed-distance --step 1 -o '{lesson}.svg'", "There is no lesson “nowhere”",
                 "halfspace: 1");

@@ -4,9 +4,7 @@
 namespace halfspace {
 namespace {
 
-class ReopenedPicture : public Program {
-protected:
-};
+using ReopenedPicture = Program;
 
 TEST_F(ReopenedPicture, IsExplainedAndDrawnAsItsSession) {
   const std::string scene = "signed-distance --set Q=1,2/3,1 ";
