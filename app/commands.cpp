@@ -53,7 +53,7 @@ Result<OpenedSession> openTyped(const std::string &file, const std::vector<std::
   const auto text = file == "-" ? readStandardInput(mostTypedBytes) : readFile(file, mostTypedBytes);
   if (!text)
     return text.problem();
-  auto scene = readTypedScene(*text, file == "-" ? "" : file, language().decimalMark);
+  auto scene = readTypedScene(*text, file, language().decimalMark);
   if (!scene)
     return scene.problem();
   OpenedSession opened;

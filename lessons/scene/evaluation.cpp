@@ -185,20 +185,21 @@ private:
   [[nodiscard]] std::optional<EvaluatedEntry>
   evaluatedDerived(const std::string &name, const DerivedObject &derived, const Look &look) const {
     Object object(*derived.kind);
-    std::string missing;
+    std::string missing; ///< why something that it follows is not there
+    std::string fault;
     for (std::size_t index = 0; index < derived.coordinates.size(); ++index) {
       if (index == object.size())
         object.addVertex();
       auto value =
           valueOf(derived.coordinates[index], [&](std::string_view id) { return valueNamed(id, missing); });
-      if (auto *fault = std::get_if<FormulaFault>(&value))
-        missing = missing.empty() ? fault->sentence : missing;
+      if (const auto *without = std::get_if<FormulaFault>(&value))
+        fault = without->sentence;
       else
         setCoordinate(object, index, std::get<FormulaValue>(value));
     }
     const auto given = shared(letters().derived(name, withoutBounds(std::move(object))), look);
     EvaluatedEntry found{name, {}, Naming{name}, {given}};
-    found.missing = missing.empty() ? whyNotFitting(*given) : missing;
+    found.missing = missing.empty() ? whyNotThere(*given, fault) : missing;
     if (!takeOver(found))
       found.outcome = found.missing.empty() ? outcomeOfDerived(given) : withoutAnObject(found.missing);
     found.offers = {{"", found.looksAt.front(), found.missing}};
@@ -238,10 +239,13 @@ private:
     return object;
   }
 
-  static std::string whyNotFitting(const Given<Object> &derived) {
-    if (const auto problem = refuseUnfitting(derived.object))
-      return problem->sentence;
-    return whyTooLong(derived);
+  /// `fault`: what keeps a formula from having a value; empty where all have one.
+  static std::string whyNotThere(const Given<Object> &derived, std::string fault) {
+    if (const auto unfitting = refuseUnfitting(derived.object); fault.empty() && unfitting)
+      fault = unfitting->sentence;
+    if (fault.empty())
+      return whyTooLong(derived);
+    return words("{object} is not there now. {why}", {{"object", plainText(derived.symbol)}, {"why", fault}});
   }
 
   /// A bound object is the point where it lies.

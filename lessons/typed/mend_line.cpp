@@ -107,6 +107,8 @@ private:
     std::vector<std::string> known = m_names.names();
     known.insert(known.end(), callWords().begin(), callWords().end());
     known.emplace_back(stepWord);
+    for (const std::string &color : hueNames())
+      known.push_back(color);
     for (const LinePart &part : wordsIn(m_line)) {
       const std::string word(m_line.substr(part.begin, part.end - part.begin));
       if (part.begin == 0 || std::find(known.begin(), known.end(), word) != known.end())

@@ -1,7 +1,6 @@
 #include "lessons/typed/read_line.h"
 
 #include "lessons/formula/read_formula.h"
-#include "lessons/guess.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/object/kinds/number.h"
@@ -120,8 +119,7 @@ private:
       if (isCalled(word))
         return readCall(word, begin);
       if (word.size() > 1 && !m_names.isName(word)) // t(1, 2, 3) is a product
-        return fail(withGuess(words("There is no “{name}”.", {{"name", word}}), word, callWords()), begin,
-                    word.size());
+        return fail(words("There is no “{name}”.", {{"name", word}}), begin, word.size());
     }
     m_reader.goTo(begin);
     if (m_line.substr(begin).find('=') != std::string_view::npos && !hasConditions(begin))
@@ -334,7 +332,7 @@ private:
     if (m_entry.color && halfspace::kindOf(m_entry))
       return;
     fail(m_entry.color ? words("A construction has no colour of its own.")
-                       : withGuess(words("“{name}” is not a colour.", {{"name", name}}), name, hueNames()),
+                       : words("“{name}” is not a colour.", {{"name", name}}),
          at, name.size());
   }
 

@@ -1,6 +1,5 @@
 #include "lessons/typed/typed_object.h"
 
-#include "lessons/guess.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
@@ -22,8 +21,7 @@ TypedFault unknown(const Formula &name, const SceneNames &names) {
     return {words("“{name}” is {kind}: a formula is about numbers, points and vectors.",
                   {{"name", name.name}, {"kind", nounOf(kind)}}),
             name.at, name.name.size()};
-  return {withGuess(words("There is no “{name}”.", {{"name", name.name}}), name.name, names.names()), name.at,
-          name.name.size()};
+  return {words("There is no “{name}”.", {{"name", name.name}}), name.at, name.name.size()};
 }
 
 /// Gives the names in a formula their ids.

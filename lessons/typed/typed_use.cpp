@@ -1,7 +1,6 @@
 #include "lessons/typed/typed_use.h"
 
 #include "lessons/construction/construction.h"
-#include "lessons/guess.h"
 #include "lessons/object/kind.h"
 #include "lessons/words.h"
 
@@ -82,9 +81,8 @@ TypedFault misfit(const Argument &argument, std::string_view needed, const Scene
   if (const std::string_view kind = names.kindOf(name); !kind.empty())
     return faultAt(argument, words("“{name}” is {kind}: {needed} is needed here.",
                                    {{"name", name}, {"kind", nounOf(kind)}, {"needed", nounOf(needed)}}));
-  return faultAt(argument, withGuess(words("There is no “{name}”: {needed} is needed here.",
-                                           {{"name", name}, {"needed", nounOf(needed)}}),
-                                     name, names.namesOf(needed)));
+  return faultAt(argument, words("There is no “{name}”: {needed} is needed here.",
+                                 {{"name", name}, {"needed", nounOf(needed)}}));
 }
 
 std::variant<ConstructionUse, TypedFault> useOf(const std::string &word, std::size_t at,

@@ -157,17 +157,18 @@ std::string explanationJson(const std::string &lesson, const Scene &scene, const
 
 std::string explanationText(const std::string &title, const Evaluation &evaluation) {
   const auto entries = constructionsOf(evaluation);
-  std::string text = title + "\n";
+  std::string text = title.empty() ? "" : title + "\n";
+  const auto parted = [&] { return text.empty() ? "" : "\n"; };
   if (const std::string places = placesText(evaluation); !places.empty())
-    text += "\n" + places;
+    text += parted() + places;
   for (const EvaluatedEntry *entry : entries)
-    text += "\n" + (entries.size() > 1 ? entry->name + ":\n\n" : "") + textOf(*entry);
+    text += parted() + (entries.size() > 1 ? entry->name + ":\n\n" : "") + textOf(*entry);
   return text;
 }
 
 std::string explanationLatex(const std::string &title, const Evaluation &evaluation) {
   const auto entries = constructionsOf(evaluation);
-  std::string latex = "\\paragraph{" + latexWords(title) + "}\n";
+  std::string latex = title.empty() ? "" : "\\paragraph{" + latexWords(title) + "}\n";
   for (const EvaluatedEntry *entry : entries)
     latex +=
         (entries.size() > 1 ? "\\subparagraph{" + latexWords(entry->name) + "}\n" : "") + latexOf(*entry);
@@ -176,7 +177,7 @@ std::string explanationLatex(const std::string &title, const Evaluation &evaluat
 
 std::string explanationMathMl(const std::string &title, const Evaluation &evaluation) {
   const auto entries = constructionsOf(evaluation);
-  std::string html = xmlElement("h2", escapedForXml(title)) + "\n";
+  std::string html = title.empty() ? "" : xmlElement("h2", escapedForXml(title)) + "\n";
   for (const EvaluatedEntry *entry : entries)
     html +=
         (entries.size() > 1 ? xmlElement("h3", escapedForXml(entry->name)) + "\n" : "") + mathMlOf(*entry);

@@ -13,6 +13,8 @@ namespace halfspace {
 [[nodiscard]] std::string explanationJson(const std::string &lesson, const Scene &scene,
                                           const Evaluation &evaluation);
 
+// A title that is empty is left out.
+
 /// Of every construction the worked lines, the values and the description as plain text, under its name where
 /// there are several.
 [[nodiscard]] std::string explanationText(const std::string &title, const Evaluation &evaluation);

@@ -118,7 +118,7 @@ TEST(DerivedObjects, ThatCannotBe_SayWhy_AndComeBack) {
   };
   EXPECT_EQ(with(-1).find("S")->outcome->told->name, "missing-object");
   EXPECT_NE(with(-1).find("S")->missing.find("cannot be"), std::string::npos) << with(-1).find("S")->missing;
-  EXPECT_EQ(with(2).find("P")->missing, "This would be divided by zero.");
+  EXPECT_EQ(with(2).find("P")->missing, "P is not there now. This would be divided by zero.");
   EXPECT_EQ(with(3).find("P")->missing, "");
   EXPECT_EQ(objectOf(with(3), "S"), Object(SphereObject{{3, 0, 0}, 3}));
 }

@@ -73,7 +73,7 @@ TEST(TypedLine, ThatDividesByZero_IsACaseThatComesBack) {
   const Evaluation evaluation = evaluate(scene);
   for (const char *name : {"Q", "P", "d"})
     EXPECT_EQ(evaluation.find(name)->outcome->told->name, "missing-object") << name;
-  EXPECT_EQ(evaluation.find("d")->missing, "This would be divided by zero.");
+  EXPECT_EQ(evaluation.find("d")->missing, "Q is not there now. This would be divided by zero.");
   const auto moved = apply(scene, ChangeObject{"k", NumberObject{2, -10, 10, test::q(1, 10)}});
   const Evaluation after = evaluate(*moved, evaluation);
   EXPECT_EQ(after.find("P")->offers.front().given->object, Object(PointObject{{1, 0, 0}}));
