@@ -125,7 +125,8 @@ std::optional<ParametricLine> parametricOf(const Formula &formula,
   for (const std::size_t place : {0U, 1U}) {
     const Formula &name = product.parts[place];
     Formula direction = product.parts[1 - place];
-    if (!isNamed(name, isUnknown) || hasName(direction, name.name) || hasName(formula.parts[0], name.name))
+    if (!isNamed(name, isUnknown) || isPlainNumber(direction) || isPlainNumber(formula.parts[0]) ||
+        hasName(direction, name.name) || hasName(formula.parts[0], name.name))
       continue;
     if (formula.kind == FormulaKind::Difference)
       direction = {FormulaKind::Negative, {}, {}, {direction}, direction.at};

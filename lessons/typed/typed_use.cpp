@@ -81,6 +81,11 @@ TypedFault misfit(const Argument &argument, std::string_view needed, const Scene
   if (const std::string_view kind = names.kindOf(name); !kind.empty())
     return faultAt(argument, words("“{name}” is {kind}: {needed} is needed here.",
                                    {{"name", name}, {"kind", nounOf(kind)}, {"needed", nounOf(needed)}}));
+  if (names.isTaken(name))
+    return faultAt(argument,
+                   words("“{name}” is a construction: {needed} is needed here, perhaps one of what it "
+                         "makes, as {name}.F.",
+                         {{"name", name}, {"needed", nounOf(needed)}}));
   return faultAt(argument, words("There is no “{name}”: {needed} is needed here.",
                                  {{"name", name}, {"needed", nounOf(needed)}}));
 }

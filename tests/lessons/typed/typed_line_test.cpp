@@ -107,21 +107,24 @@ TEST(TypedLine, OfWhatAnotherMakes_NamesIt) {
 }
 
 TEST(TypedLine, ThatIsWrong_SaysWhatAndWhere) {
-  const Scene scene = typed({"E: z = 0", "Q = (1, 2, 3)", "T = triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))"});
+  const Scene scene = typed({"E: z = 0", "Q = (1, 2, 3)", "T = triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))",
+                             "g = Q + t(1, 0, 0)", "h = Q + t(0, 1, 0)", "d = closest(g, h)"});
   for (const auto &[line, at, part] :
        {std::tuple("", 0U, "begins with a name"),
         {"Q = (1, 2, 3)", 0U, "There is “Q” already"},
         {"P (1, 2, 3)", 2U, "“=” is needed"},
         {"P = (1, 2", 9U, "closing bracket"},
         {"P = (1, 2)", 4U, "three numbers"},
-        {"d = distance(Q, T)", 16U, "“T” is a triangle: a plane is needed here"},
-        {"d = distance(Q, F)", 16U, "There is no “F”"},
-        {"d = distanc(Q, E)", 4U, "There is no “distanc”"},
+        {"D = distance(Q, T)", 16U, "“T” is a triangle: a plane is needed here"},
+        {"D = distance(Q, W)", 16U, "There is no “W”"},
+        {"D = distanc(Q, E)", 4U, "There is no “distanc”"},
         {"M = (Q + E)/2", 9U, "“E” is a plane"},
         {"M = (Q + 1)/2", 9U, "cannot be added"},
         {"E2: x*y = 3", 4U, "no products"},
         {"E2: x - x = 3", 4U, "no plane"},
         {"E2: kx = 3", 4U, "plane(P, n)"},
+        {"k = 2 + 3t", 9U, "There is no “t”"},
+        {"D = distance(d, E)", 13U, "“d” is a construction: a point is needed here"},
         {"k = 1/0", 4U, "divided by zero"},
         {"k = 1, 2 <= k", 7U, "bounds"},
         {"P = (1, 2, 3), greem", 15U, "not a colour"},
