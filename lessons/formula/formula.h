@@ -89,5 +89,7 @@ inline constexpr std::size_t longestFormula = 4000;
 inline constexpr int deepestFormula = 40;
 /// The largest power.
 inline constexpr int highestPower = 8;
+/// The most numbers that a power multiplies with one another, powers within it counted: (k^8)^8.
+inline constexpr int heaviestPower = 64;
 
 } // namespace halfspace

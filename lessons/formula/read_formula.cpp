@@ -23,6 +23,24 @@ Formula made(FormulaKind kind, std::vector<Formula> parts, std::size_t at) {
   return {kind, {}, {}, std::move(parts), at};
 }
 
+/// A fraction of two numbers is a number itself.
+Formula quotient(Formula above, Formula below, std::size_t at) {
+  if (isPlainNumber(above) && isPlainNumber(below) && below.number != 0)
+    return {FormulaKind::Number, above.number / below.number, {}, {}, at};
+  return made(FormulaKind::Quotient, {std::move(above), std::move(below)}, at);
+}
+
+/// How many numbers a formula multiplies with one another at most: so many times as long as theirs its value
+/// may be.
+int weightOf(const Formula &formula) {
+  if (formula.kind == FormulaKind::Power)
+    return weightOf(formula.parts[0]) * static_cast<int>(formula.parts[1].number.words()->numerator);
+  int weight = formula.parts.empty() ? 1 : 0;
+  for (const Formula &part : formula.parts)
+    weight += weightOf(part);
+  return weight;
+}
+
 template <std::size_t count>
 bool takeAny(FormulaReader &reader, const std::array<const char *, count> &signs) {
   return std::any_of(signs.begin(), signs.end(), [&](const char *sign) { return reader.take(sign); });
@@ -86,6 +104,8 @@ std::string_view FormulaReader::takeName() {
     end = isDigit(m_text[next]) ? next + digitsAt(next).size() : endOfName(next);
     if (end == next)
       break;
+    if (end + 1 < m_text.size() && m_text[end] == '.' && isLetter(m_text[end + 1]))
+      end = endOfName(end + 1);
     if (m_isName(m_text.substr(begin, end - begin)))
       m_at = end;
   }
@@ -129,7 +149,7 @@ Formula FormulaReader::product() {
   while (!m_fault) {
     const std::size_t next = at();
     if (takeAny(*this, slashes))
-      result = made(FormulaKind::Quotient, {std::move(result), signedFactor()}, begin);
+      result = quotient(std::move(result), signedFactor(), begin);
     else if (takeAny(*this, dots))
       result = made(FormulaKind::Dot, {std::move(result), signedFactor()}, begin);
     else if (take("×"))
@@ -164,11 +184,12 @@ Formula FormulaReader::signedFactor() {
 Formula FormulaReader::factor() {
   const std::size_t begin = at();
   Formula base = simple();
+  const std::size_t sign = at();
   int exponent = -1;
-  for (const auto &[sign, power] : powersOfTwoAndThree)
-    if (take(sign))
+  for (const auto &[raised, power] : powersOfTwoAndThree)
+    if (exponent < 0 && take(raised))
       exponent = power;
-  if (const std::size_t sign = at(); take("^")) {
+  if (exponent < 0 && take("^")) {
     const std::string_view digits = digitsAt(at());
     if (digits.size() != 1 || digits.front() - '0' > highestPower)
       return failed(
@@ -177,6 +198,9 @@ Formula FormulaReader::factor() {
     exponent = digits.front() - '0';
     m_at += 1;
   }
+  const std::size_t next = at();
+  if (exponent >= 0 && (take("^") || take("²") || take("³") || exponent * weightOf(base) > heaviestPower))
+    return failed(words("This power is too high: write it in steps."), next);
   if (exponent < 0)
     return base;
   return made(FormulaKind::Power, {std::move(base), {FormulaKind::Number, exponent, {}, {}, begin}}, begin);
@@ -252,8 +276,8 @@ Formula FormulaReader::number() {
 
 namespace {
 
-std::variant<Formula, FormulaFault> readWith(std::string_view text, char decimalMark) {
-  FormulaReader reader(text, decimalMark);
+std::variant<Formula, FormulaFault> readWith(std::string_view text, char decimalMark, const IsName &isName) {
+  FormulaReader reader(text, decimalMark, isName);
   Formula formula = reader.sum();
   if (!reader.isAtEnd())
     reader.fail(words("This cannot be read."), reader.at());
@@ -345,11 +369,12 @@ private:
 
 } // namespace
 
-std::variant<Formula, FormulaFault> readFormula(std::string_view text, char decimalMark) {
-  auto read = readWith(text, decimalMark);
+std::variant<Formula, FormulaFault> readFormula(std::string_view text, char decimalMark,
+                                                const IsName &isName) {
+  auto read = readWith(text, decimalMark, isName);
   if (decimalMark != '.' &&
       std::holds_alternative<FormulaFault>(read)) // (1,2,3) is a point whatever the mark
-    if (auto other = readWith(text, '.'); std::holds_alternative<Formula>(other))
+    if (auto other = readWith(text, '.', isName); std::holds_alternative<Formula>(other))
       return other;
   return read;
 }

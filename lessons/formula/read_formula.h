@@ -59,7 +59,8 @@ private:
 };
 
 /// All of a text is a formula; or what is wrong in it.
-[[nodiscard]] std::variant<Formula, FormulaFault> readFormula(std::string_view text, char decimalMark = '.');
+[[nodiscard]] std::variant<Formula, FormulaFault> readFormula(std::string_view text, char decimalMark = '.',
+                                                              const IsName &isName = {});
 
 /// The formula as `readFormula` reads it: with no more parentheses than it takes.
 [[nodiscard]] std::string toText(const Formula &formula, char decimalMark = '.');

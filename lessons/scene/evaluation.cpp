@@ -241,10 +241,12 @@ private:
 
   /// `fault`: what keeps a formula from having a value; empty where all have one.
   static std::string whyNotThere(const Given<Object> &derived, std::string fault) {
+    if (std::string tooLong = whyTooLong(derived); fault.empty() && !tooLong.empty())
+      return tooLong;
     if (const auto unfitting = refuseUnfitting(derived.object); fault.empty() && unfitting)
       fault = unfitting->sentence;
     if (fault.empty())
-      return whyTooLong(derived);
+      return {};
     return words("{object} is not there now. {why}", {{"object", plainText(derived.symbol)}, {"why", fault}});
   }
 

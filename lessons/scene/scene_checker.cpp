@@ -166,7 +166,7 @@ std::optional<Problem> SceneChecker::checkDerived(const DerivedObject &derived) 
   const std::size_t count = derived.coordinates.size();
   const bool isNumber = kind.word == NumberObject::kind;
   if (kind.binding || kind.shape || count > kind.coordinates.size() ||
-      count < (isNumber ? 1 : kind.fewestCoordinates()))
+      (isNumber ? count != 1 : count < kind.fewestCoordinates()))
     return problemWith("", words("This is {kind}: it cannot follow others so.", {{"kind", kind.noun()}}));
   for (std::size_t index = 0; index < count; ++index)
     if (auto problem = checkFormula(kind.coordinates[index], std::string(kind.coordinates[index].name),

@@ -89,13 +89,13 @@ bool followsOthers(const DocumentNode &node, const Kind &kind) {
 
 /// Reads a formula, or numbers, which are one too.
 Formula readFormula(const DocumentNode &node, const std::string &path, FieldReader &fields,
-                    CoordinateRole role) {
+                    CoordinateRole role, const IsName &isName) {
   if (node.kind != DocumentNode::Kind::Text) {
     ExactVec3 numbers(0);
     readCoordinate(node, path, fields, role, numbers);
     return formulaOf(numbers);
   }
-  auto formula = halfspace::readFormula(node.text);
+  auto formula = halfspace::readFormula(node.text, '.', isName);
   if (const auto *fault = std::get_if<FormulaFault>(&formula)) {
     fields.complain(node, path,
                     words("{sentence} (at character {column})",
@@ -106,10 +106,10 @@ Formula readFormula(const DocumentNode &node, const std::string &path, FieldRead
 }
 
 DerivedObject readDerived(const DocumentNode &node, const std::string &path, FieldReader &entry,
-                          const Kind &kind) {
+                          const Kind &kind, const IsName &isName) {
   DerivedObject derived{&kind, {}};
   if (node.kind == DocumentNode::Kind::Text) {
-    derived.coordinates.push_back(readFormula(node, path, entry, kind.coordinates.front().role));
+    derived.coordinates.push_back(readFormula(node, path, entry, kind.coordinates.front().role, isName));
     return derived;
   }
   FieldReader fields(node, entry.file(), path);
@@ -120,7 +120,8 @@ DerivedObject readDerived(const DocumentNode &node, const std::string &path, Fie
     if (index >= kind.fewestCoordinates() && !node.find(spec.name))
       break;
     if (const DocumentNode *written = fields.required(spec.name))
-      derived.coordinates.push_back(readFormula(*written, fields.pathOf(spec.name), fields, spec.role));
+      derived.coordinates.push_back(
+          readFormula(*written, fields.pathOf(spec.name), fields, spec.role, isName));
   }
   for (const DocumentNode &child : node.children)
     if (std::find(names.begin(), names.end(), child.key) == names.end())
@@ -232,7 +233,7 @@ std::optional<Hue> readColor(FieldReader &fields) {
 }
 
 /// Reads one entry into `fields`' problem or an entry.
-Entry readEntry(const DocumentNode &node, FieldReader &fields) {
+Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isName) {
   Entry entry;
   entry.name = fields.text("name");
   if (fields.optional("construction")) {
@@ -246,7 +247,7 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
       else
         fields.allowOnly({"name", kind.word});
       if (followsOthers(*coordinates, kind)) {
-        entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind);
+        entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind, isName);
       } else {
         Object object(kind);
         readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
@@ -271,7 +272,8 @@ Result<Scene> readScene(const DocumentNode &list, const std::string &file, const
   for (std::size_t index = 0; index < list.children.size(); ++index) {
     const DocumentNode &node = list.children[index];
     FieldReader fields(node, file, indexed(path, index));
-    Entry entry = readEntry(node, fields);
+    Entry entry =
+        readEntry(node, fields, [&](std::string_view name) { return scene.entries.find(ownerOf(name)); });
     for (std::string *object : referencesIn(entry))
       *object = checker.idOf(*object);
     if (const auto problem = fields.problem() ? std::nullopt : checker.check(entry))

@@ -66,6 +66,15 @@ TEST(DerivedObjects, AreWrittenAndReadAgain) {
   EXPECT_EQ(*again, session);
 }
 
+TEST(DerivedObjects, OfNamesWithHyphens_AreReadAgain) {
+  const Session session{"l", 0,
+                        typed({"cut-2 = (1, 2, 3)", "M = 2 cut-2 - cut-2", "E: z = 0", "d-1 = distance(M, E)",
+                               "N = d-1.F - cut-2"})};
+  const auto again = readSession(writeSession(session), "a.halfspace");
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(*again, session);
+}
+
 TEST(DerivedObjects, AreDrawn_AndCannotBeTaken) {
   const Evaluation evaluation = evaluate(middleScene());
   const auto marks = figureOf(evaluation).marks;
@@ -99,15 +108,17 @@ TEST(DerivedObjects, OfAFile_AreRefusedWithASentence) {
   EXPECT_EQ(problemIn(R"({"name":"M","point":"2 A"})"), "");
   EXPECT_EQ(problemIn(R"({"name":"S","sphere":{"c":"A","R":"A.z"}})"), "");
   EXPECT_EQ(problemIn(R"({"name":"S","sphere":{"c":[1,2,3],"R":"A.z"}})"), "");
-  for (const auto &[entry, part] : {std::pair(R"({"name":"M","point":"2 B"})", "no object “B”"),
-                                    {R"({"name":"M","point":"2 +"})", "character 4"},
-                                    {R"({"name":"M","point":"A + 1"})", "cannot be added"},
-                                    {R"({"name":"M","point":"A.x"})", "three numbers"},
-                                    {R"({"name":"M","point":"E"})", "“E” is a plane"},
-                                    {R"({"name":"M","point":"M"})", "no object “M”"},
-                                    {R"({"name":"S","sphere":{"c":"A","R":"A"}})", "a number is expected"},
-                                    {R"({"name":"S","sphere":{"c":"A"}})", "R"},
-                                    {R"({"name":"S","sphere":{"c":"A","R":1,"x":2}})", "no such coordinate"}})
+  for (const auto &[entry, part] :
+       {std::pair(R"({"name":"M","point":"2 B"})", "no object “B”"),
+        {R"({"name":"M","point":"2 +"})", "character 4"},
+        {R"({"name":"M","point":"A + 1"})", "cannot be added"},
+        {R"({"name":"M","point":"A.x"})", "three numbers"},
+        {R"({"name":"M","point":"E"})", "“E” is a plane"},
+        {R"({"name":"M","point":"M"})", "no object “M”"},
+        {R"({"name":"S","sphere":{"c":"A","R":"A"}})", "a number is expected"},
+        {R"({"name":"m","number":{"value":"A.x","from":0,"to":5,"step":1}})", "cannot follow others so"},
+        {R"({"name":"S","sphere":{"c":"A"}})", "R"},
+        {R"({"name":"S","sphere":{"c":"A","R":1,"x":2}})", "no such coordinate"}})
     EXPECT_NE(problemIn(entry).find(part), std::string::npos) << entry << ": " << problemIn(entry);
 }
 
