@@ -118,7 +118,9 @@ private:
     if (m_reader.take("(")) {
       if (isCalled(word))
         return readCall(word, begin);
-      if (word.size() > 1 && !m_names.isName(word)) // t(1, 2, 3) is a product
+      const bool canBeProduct =
+          word.size() <= 1 || word.find('-') != std::string::npos; // t(1, 2, 3), A-t(1, 2, 3)
+      if (!canBeProduct && !m_names.isName(word))
         return fail(words("There is no “{name}”.", {{"name", word}}), begin, word.size());
     }
     m_reader.goTo(begin);
@@ -186,11 +188,25 @@ private:
       arguments.insert(arguments.begin(), {formulaOf(ExactVec3(0))});
     if (kind.word == NumberObject::kind && arguments.size() == 1)
       return makeNumber(arguments.front());
+    if (kind.word == NumberObject::kind &&
+        std::any_of(arguments.begin(), arguments.end(),
+                    [](const Argument &each) { return hasNames(each.formula); }))
+      return fail(words("A number that follows others has no bounds."), at, length);
+    if (kind.word == LineObject::kind || kind.word == RayObject::kind || kind.word == VectorObject::kind)
+      leadToPoint(arguments);
     if (arguments.size() < kind.fewestCoordinates() || arguments.size() > kind.coordinates.size())
       return fail(words("{kind} is told by {coordinates}.",
                         {{"kind", kind.noun()}, {"coordinates", signatureOf(kind)}}),
                   at, length);
     put(kind, std::move(arguments));
+  }
+
+  /// line(A, B) leads from one point to the other.
+  void leadToPoint(std::vector<Argument> &arguments) const {
+    if (arguments.size() != 2 || m_names.kindOf(arguments[1].formula.name) != PointObject::kind)
+      return;
+    Formula &second = arguments[1].formula;
+    second = {FormulaKind::Difference, {}, {}, {second, arguments[0].formula}, second.at};
   }
 
   void takeHost(const Binding &binding, std::vector<Argument> &arguments) {
@@ -313,6 +329,12 @@ private:
 
   Rational numberHere() {
     const Argument argument = argumentOf(m_reader.sum());
+    const auto shape = shapeIn(argument.formula, m_names);
+    const auto *found = std::get_if<FormulaShape>(&shape);
+    if (hasNames(argument.formula) || !found || *found != FormulaShape::Number) {
+      fail(words("Here a number is needed."), argument.at, argument.length);
+      return {};
+    }
     const auto value = constantOf(argument);
     if (const auto *fault = std::get_if<TypedFault>(&value)) {
       fail(fault->sentence, fault->at, fault->length);

@@ -14,6 +14,7 @@ namespace halfspace {
 /// - `E: x + 2y + 2z = 27` is a plane; `g = A + t(1, 2, 3)` a line, a ray where t >= 0 follows or the name
 /// begins
 ///   with r, a segment where 0 <= t <= 1 does.
+/// - `g = line(A, B)` leads from one point to another, and so do a ray and a vector.
 /// - `E = plane(P0, n)`, likewise for each kind with its coordinates in their order; `plane(A, B, C)` goes
 /// through
 ///   points. `P = point-on-line(g, 2)`: what an object lies on, then its freedoms.

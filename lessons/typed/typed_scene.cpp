@@ -33,13 +33,22 @@ Problem problemOf(const TypedFault &fault, std::string_view line, int number, co
 
 Result<Scene> readTypedScene(std::string_view text, const std::string &file, char decimalMark) {
   if (const auto at = firstNoText(text))
-    return Problem{words("This is no text."), file, 1, ""};
+    return Problem{
+        words("This is no text."), file,
+        static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n')) + 1,
+        ""};
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(byteOrderMark))
+    text.remove_prefix(byteOrderMark.size());
   Scene scene;
   int number = 0;
   while (!text.empty()) {
     ++number;
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, std::min(end, text.find('#'))));
+    const std::string_view whole = text.substr(0, std::min(end, text.find('#')));
+    const std::string_view said = trimmed(whole);
+    const std::string_view line =
+        whole.substr(0, said.empty() ? 0 : static_cast<std::size_t>(said.end() - whole.begin()));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.empty())
       continue;
