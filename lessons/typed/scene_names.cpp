@@ -74,14 +74,6 @@ std::string_view SceneNames::kindOf(const std::string &name) const {
       ->kind;
 }
 
-std::vector<std::string> SceneNames::namesOf(std::string_view kind) const {
-  std::vector<std::string> names;
-  for (const Object &object : m_objects)
-    if (canStandFor(kind, object.kind))
-      names.push_back(object.id);
-  return names;
-}
-
 std::vector<std::string> SceneNames::names() const {
   std::vector<std::string> names;
   names.reserve(m_objects.size());

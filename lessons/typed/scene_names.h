@@ -21,8 +21,6 @@ public:
   /// The word of the kind of what goes by a name, whatever it is; empty for nothing. A use of a construction
   /// that makes several objects, or none, is of none.
   [[nodiscard]] std::string_view kindOf(const std::string &name) const;
-  /// The names of all objects that can stand where a kind is needed, in their order.
-  [[nodiscard]] std::vector<std::string> namesOf(std::string_view kind) const;
   /// All names of all objects.
   [[nodiscard]] std::vector<std::string> names() const;
   /// What a name comes to in a formula, with its id; nothing where it is in none.
