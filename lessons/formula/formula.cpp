@@ -2,7 +2,6 @@
 
 #include "lessons/words.h"
 
-#include <array>
 #include <utility>
 
 namespace halfspace {

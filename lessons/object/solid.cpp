@@ -96,6 +96,11 @@ std::vector<std::string_view> kindsSeenAs(std::string_view kind) {
   return words;
 }
 
+bool canStandFor(std::string_view needed, std::string_view kind) {
+  const auto kinds = kindsSeenAs(needed);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 void drawSolid(const Given<Object> &given, std::vector<Mark> &marks) {
   const SolidMesh<Rational> mesh = meshOf(given.object);
   std::vector<std::vector<std::size_t>> faces;

@@ -50,6 +50,8 @@ template <> [[nodiscard]] Given<SolidObject> as<SolidObject>(const Given<Object>
 
 /// The words of the kinds that can stand in a role of this kind: itself, or all solids.
 [[nodiscard]] std::vector<std::string_view> kindsSeenAs(std::string_view kind);
+/// Whether an object of a kind can stand where one is needed: a box for a box, or for a solid.
+[[nodiscard]] bool canStandFor(std::string_view needed, std::string_view kind);
 
 /// Adds the faces of a solid as marks, and what others can snap to on it: all its corners and edges.
 void drawSolid(const Given<Object> &given, std::vector<Mark> &marks);

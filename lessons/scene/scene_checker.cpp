@@ -17,12 +17,6 @@
 namespace halfspace {
 namespace {
 
-/// Whether an object of a kind can stand where one is expected: a box for a box, or for a solid.
-bool fits(std::string_view kind, std::string_view expected) {
-  const auto kinds = kindsSeenAs(expected);
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
 Problem problemWith(std::string field, std::string sentence) {
   return {std::move(sentence), "", 0, std::move(field)};
 }
@@ -131,7 +125,7 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
 std::vector<std::string> SceneChecker::objectsOfKind(std::string_view kind) const {
   std::vector<std::string> ids;
   for (const auto &[id, its] : m_kinds)
-    if (fits(its, kind))
+    if (canStandFor(kind, its))
       ids.push_back(id);
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -144,7 +138,7 @@ std::optional<Problem> SceneChecker::checkReference(const std::string &field, co
     return problemWith(
         field, withGuess(words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}),
                          id, objectsOfKind(expected)));
-  if (!fits(kind->second, expected))
+  if (!canStandFor(expected, kind->second))
     return problemWith(field,
                        words("Here {kind} is expected, but “{name}” is {other}.",
                              {{"kind", nounOf(expected)}, {"name", id}, {"other", nounOf(kind->second)}}));

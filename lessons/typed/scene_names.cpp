@@ -10,11 +10,6 @@
 
 namespace halfspace {
 
-bool canStandFor(std::string_view needed, std::string_view kind) {
-  const auto kinds = kindsSeenAs(needed);
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
 SceneNames::SceneNames(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
     if (const Kind *kind = halfspace::kindOf(entry)) {

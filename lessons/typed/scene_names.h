@@ -47,7 +47,4 @@ private:
   return name.front() >= 'A' && name.front() <= 'Z';
 }
 
-/// Whether an object of a kind can stand where one is needed: a box as a box, or as a solid.
-[[nodiscard]] bool canStandFor(std::string_view needed, std::string_view kind);
-
 } // namespace halfspace
