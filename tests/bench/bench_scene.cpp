@@ -1,5 +1,7 @@
-// Scenes that grow: what an edit, a frame of a drag, saving and opening cost in scenes of 3 to 500
-// constructions, and the list of 5, 20 and 1,000 lessons. Each should be flat or linear.
+// Scenes that grow: what an edit, a frame of a drag, saving and opening, and the list of what fits a
+// selection cost in scenes of 3 to 500 constructions, and the list of 5, 20 and 1,000 lessons. Each should be
+// flat or linear.
+#include "lessons/fitting/fits.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kinds/plane.h"
@@ -111,6 +113,17 @@ void measureScene(int constructions) {
       scene.entries.size(), edited, looked, dragged, pressed, anew, saved, opened);
 }
 
+/// What the window asks when something is selected.
+void measureFits(int constructions) {
+  const Scene scene = sceneOf(constructions);
+  std::size_t found = 0;
+  const double listed = millisecondsOf(50, [&](int) {
+    found = fitsFor(scene, {"Q0", "d0.F", "d2.F"}).size();
+  });
+  std::printf("%5zu entries: the %zu fits of a point listed in %7.3f ms\n", scene.entries.size(), found,
+              listed);
+}
+
 void measureLessons(int count) {
   const auto folder = std::filesystem::temp_directory_path() / "halfspace-bench-lessons";
   std::filesystem::remove_all(folder);
@@ -134,6 +147,8 @@ int main() {
   using namespace halfspace::bench;
   for (const int constructions : {3, 10, 100, 333, 500})
     measureScene(constructions);
+  for (const int constructions : {10, 100, 333})
+    measureFits(constructions);
   for (const int lessons : {5, 20, 1000})
     measureLessons(lessons);
 }

@@ -1,0 +1,120 @@
+#include "lessons/fitting/fits.h"
+
+#include "lessons/construction/construction.h"
+#include "lessons/fitting/objects_between.h"
+#include "lessons/object/kind.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/solid.h"
+#include "lessons/scene/fresh_names.h"
+#include "lessons/scene/scene_checker.h"
+
+#include <algorithm>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+/// Calls a function with each object that a scene has.
+template <class Function> void forEachObject(const Scene &scene, Function function) {
+  for (const Entry &entry : scene.entries)
+    if (const Kind *kind = kindOf(entry))
+      function(SeenObject{entry.name, kind->binding ? PointObject::kind : kind->word});
+    else if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
+      for (const ConstructionRole &made : construction->makes)
+        function(SeenObject{entry.name + "." + made.name, made.kind});
+}
+
+/// A construction with selected objects in its roles.
+struct FilledUse {
+  ConstructionUse use;
+  std::vector<const ConstructionRole *> open{}; ///< roles in which nothing stands
+  std::size_t count = 0;                        ///< of the objects that stand in one
+};
+
+/// Finds what fits one selection.
+class Fitter {
+public:
+  Fitter(const Scene &scene, const std::vector<std::string> &selected) : m_names(scene) {
+    m_selected.resize(selected.size());
+    forEachObject(scene, [&](const SeenObject &object) {
+      const auto place = std::find(selected.begin(), selected.end(), object.id);
+      if (place == selected.end())
+        m_otherKinds.insert(object.kind);
+      else
+        m_selected[static_cast<std::size_t>(place - selected.begin())] = object;
+    });
+    std::erase_if(m_selected, [](const SeenObject &object) { return object.id.empty(); });
+  }
+
+  [[nodiscard]] std::vector<Fit> fits() const {
+    std::vector<Fit> found;
+    if (m_selected.empty())
+      return found;
+    std::vector<Fit> wanting;
+    for (const Construction &construction : constructions()) {
+      FilledUse filled = filledUse(construction);
+      if (filled.count < m_selected.size() || filled.open.size() > 1)
+        continue;
+      Fit fit{{m_names.ofUse(construction), std::move(filled.use)}};
+      if (filled.open.empty()) {
+        found.push_back(std::move(fit));
+      } else if (const ConstructionRole &open = *filled.open.front(); isAnotherOf(open.kind)) {
+        fit.wanted = WantedObject{open.name, open.kind};
+        wanting.push_back(std::move(fit));
+      }
+    }
+    for (DerivedObject &derived : objectsBetween(m_selected)) {
+      std::string name = m_names.ofKind(*derived.kind);
+      found.push_back({{std::move(name), std::move(derived)}});
+    }
+    found.insert(found.end(), std::make_move_iterator(wanting.begin()),
+                 std::make_move_iterator(wanting.end()));
+    return found;
+  }
+
+private:
+  [[nodiscard]] FilledUse filledUse(const Construction &construction) const {
+    FilledUse filled{{std::string(construction.id), {}}};
+    std::vector<SeenObject> left = m_selected;
+    for (const bool isList : {false, true})
+      for (const ConstructionRole &role : construction.roles)
+        if (role.isList == isList)
+          fill(role, left, filled);
+    return filled;
+  }
+
+  static void fill(const ConstructionRole &role, std::vector<SeenObject> &left, FilledUse &filled) {
+    const std::size_t most = role.isList ? maxListedObjects : 1;
+    RoleObjects objects;
+    std::erase_if(left, [&](const SeenObject &object) {
+      if (objects.ids.size() == most || !canStandFor(role.kind, object.kind))
+        return false;
+      objects.ids.push_back(object.id);
+      return true;
+    });
+    filled.count += objects.ids.size();
+    if (objects.ids.empty())
+      filled.open.push_back(&role);
+    else
+      filled.use.roles.emplace(role.name, std::move(objects));
+  }
+
+  [[nodiscard]] bool isAnotherOf(std::string_view needed) const {
+    return std::any_of(m_otherKinds.begin(), m_otherKinds.end(),
+                       [&](std::string_view kind) { return canStandFor(needed, kind); });
+  }
+
+  FreshNames m_names;
+  std::vector<SeenObject> m_selected;
+  std::set<std::string_view> m_otherKinds; ///< of what is not selected
+};
+
+} // namespace
+
+std::vector<Fit> fitsFor(const Scene &scene, const std::vector<std::string> &selected) {
+  if (scene.entries.size() >= maxSceneEntries)
+    return {};
+  return Fitter(scene, selected).fits();
+}
+
+} // namespace halfspace
