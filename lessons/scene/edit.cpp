@@ -64,15 +64,21 @@ struct Applier {
     return std::move(scene);
   }
 
+  Result<Scene> operator()(const ReplaceEntry &edit) {
+    const auto place = scene.entries.placeOf(edit.name);
+    if (!place)
+      return noEntry(edit.name);
+    if (edit.entry.name != edit.name)
+      rename(*place, {edit.name, edit.entry.name});
+    scene.entries.change(*place, [&](Entry &entry) { entry = edit.entry; });
+    return checked(std::move(scene));
+  }
+
   Result<Scene> operator()(const RenameEntry &edit) {
     const auto place = scene.entries.placeOf(edit.name);
     if (!place)
       return noEntry(edit.name);
-    scene.entries.change(*place, [&](Entry &entry) { entry.name = edit.newName; });
-    for (std::size_t other = 0; other < scene.entries.size(); ++other)
-      if (looksAt(scene.entries[other], edit.name))
-        scene.entries.change(other, [&](Entry &entry) { followRename(entry, edit); });
-    scene.labels = withEntryRenamed(scene.labels, edit.name, edit.newName);
+    rename(*place, edit);
     return checked(std::move(scene));
   }
 
@@ -118,6 +124,14 @@ struct Applier {
   }
 
 private:
+  void rename(std::size_t place, const RenameEntry &edit) {
+    scene.entries.change(place, [&](Entry &entry) { entry.name = edit.newName; });
+    for (std::size_t other = 0; other < scene.entries.size(); ++other)
+      if (looksAt(scene.entries[other], edit.name))
+        scene.entries.change(other, [&](Entry &entry) { followRename(entry, edit); });
+    scene.labels = withEntryRenamed(scene.labels, edit.name, edit.newName);
+  }
+
   static bool looksAt(const Entry &entry, const std::string &owner) {
     const std::vector<std::string> ids = referencesIn(entry);
     return std::any_of(ids.begin(), ids.end(), [&](const std::string &id) { return ownerOf(id) == owner; });

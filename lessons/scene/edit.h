@@ -25,6 +25,12 @@ struct RemoveEntry {
   bool withDependents = false;
 };
 
+/// Puts another entry in the place of one; those that look at that look at the new one, whatever its name is.
+struct ReplaceEntry {
+  std::string name; ///< of the one that goes
+  Entry entry;
+};
+
 /// Gives an entry another name; those that look at it follow, and so do the labels of its marks.
 struct RenameEntry {
   std::string name;
@@ -52,8 +58,8 @@ struct ChangeLabel {
   std::optional<LabelByHand> label{};
 };
 
-using Edit =
-    std::variant<ChangeObject, AddEntry, RemoveEntry, RenameEntry, RebindRole, MoveEntry, ChangeLabel>;
+using Edit = std::variant<ChangeObject, AddEntry, RemoveEntry, ReplaceEntry, RenameEntry, RebindRole,
+                          MoveEntry, ChangeLabel>;
 
 /// The scene after an edit; or why it is refused. What comes out can be evaluated if what went in could.
 [[nodiscard]] Result<Scene> apply(Scene scene, const Edit &edit);

@@ -372,6 +372,8 @@ const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entr
 Figure figureOf(const Evaluation &evaluation) {
   Figure all;
   for (const EvaluatedEntry &entry : evaluation.entries) {
+    if (evaluation.scene.entries.find(entry.name)->isHidden)
+      continue;
     const Figure &own = *entry.outcome->figure;
     all.marks.append(own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());

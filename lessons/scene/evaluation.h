@@ -56,7 +56,7 @@ struct Evaluation {
 /// What the entry's ray meets of many triangles; nothing where there is no such entry.
 [[nodiscard]] const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entry);
 
-/// The marks of all entries, without the labels that somebody has hidden.
+/// The marks of all entries that are not hidden, without the labels that somebody has hidden.
 [[nodiscard]] Figure figureOf(const Evaluation &evaluation);
 
 /// A line of an entry with the id that it has in the scene's working: `distance.f`.

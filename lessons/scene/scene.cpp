@@ -74,6 +74,11 @@ const Kind *kindOf(const Entry &entry) {
   return derived ? derived->kind : nullptr;
 }
 
+bool isDrawn(const Entry &entry) {
+  const Kind *kind = kindOf(entry);
+  return !kind || kind->draw != drawNothing || kind->binding;
+}
+
 bool areBuiltAlike(const Entry &a, const Entry &b) {
   const Object *first = objectIn(a);
   const Object *second = objectIn(b);

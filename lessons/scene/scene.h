@@ -43,19 +43,26 @@ struct DerivedObject {
 /// What the host of a bound object is called in files and edits.
 inline constexpr const char *hostRole = "on";
 
-/// What the colour of an object is called in files.
+// What the colour of an object, and what is done with an entry's picture, are called in files and typed lines.
 inline constexpr const char *colorField = "color";
+inline constexpr const char *hiddenField = "hidden";
+inline constexpr const char *lockedField = "locked";
 
 struct Entry {
   std::string name;
   std::variant<Object, ConstructionUse, DerivedObject> content;
   std::string on{};           ///< the id of the object above that a bound object lies on
   std::optional<Hue> color{}; ///< of an object, derived or not; nothing where its place in the scene decides
+  bool isHidden = false;      ///< nothing of it is drawn; others go on to look at it
+  bool isLocked = false;      ///< an object that no hand moves
   bool operator==(const Entry &) const = default;
 };
 
 /// The kind of the object that an entry is, derived or not; null for a construction.
 [[nodiscard]] const Kind *kindOf(const Entry &entry);
+
+/// Whether there is a picture of the entry, which can be coloured and hidden: of numbers there is none.
+[[nodiscard]] bool isDrawn(const Entry &entry);
 
 /// Whether the entry is an object that lies on another.
 [[nodiscard]] inline bool isBound(const Entry &entry) { return !entry.on.empty(); }

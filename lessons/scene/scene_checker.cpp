@@ -50,6 +50,20 @@ std::optional<Problem> checkTwice(const ConstructionUse &use) {
   return {};
 }
 
+/// Whether the entry can look as it is to look: what is not drawn has no look, and a construction's marks have
+/// the colours of what they speak of.
+std::optional<Problem> checkLook(const Entry &entry) {
+  const bool isObject = kindOf(entry) != nullptr;
+  const bool isSeen = isDrawn(entry);
+  if (entry.color && !(isObject && isSeen))
+    return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
+  if (entry.isHidden && !isSeen)
+    return problemWith(hiddenField, words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));
+  if (entry.isLocked && !(isObject && isSeen))
+    return problemWith(lockedField, words("No hand moves “{name}” anyway.", {{"name", entry.name}}));
+  return {};
+}
+
 } // namespace
 
 Problem tooManyEntries() {
@@ -78,6 +92,8 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
   if (auto problem = checkName(entry.name))
     return problem;
   m_names.insert(entry.name);
+  if (auto problem = checkLook(entry))
+    return problem;
   if (const auto *object = std::get_if<Object>(&entry.content)) {
     if (auto problem = checkHost(entry, *object))
       return problem;

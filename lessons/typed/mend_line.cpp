@@ -107,7 +107,9 @@ private:
   void addNearWords() {
     std::vector<std::string> known = m_names.names();
     known.insert(known.end(), callWords().begin(), callWords().end());
-    known.emplace_back(stepWord);
+    for (const std::string_view word : {std::string_view(stepWord), std::string_view(hiddenField),
+                                        std::string_view(lockedField)})
+      known.emplace_back(word);
     for (const std::string &color : hueNames())
       known.push_back(color);
     for (const LinePart &part : wordsIn(m_line)) {

@@ -65,12 +65,12 @@ bool takeUnitInterval(FormulaReader &reader, const std::string &name) {
   return reader.take("0") && takeLess(reader) && reader.take(name) && takeLess(reader) && reader.take("1");
 }
 
-/// Whether the name of a colour is what comes next; it is not taken.
-bool isColorNext(FormulaReader &reader) {
+/// Whether a word of the look is what comes next: a colour, hidden, locked; it is not taken.
+bool isLookNext(FormulaReader &reader) {
   const std::size_t at = reader.at();
-  const bool isColor = findHue(reader.takeName()).has_value();
+  const std::string_view word = reader.takeName();
   reader.goTo(at);
-  return isColor;
+  return findHue(word) || word == hiddenField || word == lockedField;
 }
 
 class LineReader {
@@ -84,7 +84,7 @@ public:
     if (!hasFault())
       readContent();
     if (!hasFault())
-      readColor();
+      readLook();
     if (!hasFault() && !m_reader.isAtEnd())
       fail(words("This cannot be read."), m_reader.at(), m_line.size() - m_reader.at());
     if (!hasFault())
@@ -285,11 +285,11 @@ private:
             *findKind("segment"),
             {start, argumentOf({FormulaKind::Sum, {}, {}, {line.start, line.direction}, line.start.at})});
       m_reader.goTo(at);
-      if (!isColorNext(m_reader))
+      if (!isLookNext(m_reader))
         return fail(words("Here {ray} or {segment} can stand.",
                           {{"ray", t + " >= 0"}, {"segment", "0 <= " + t + " <= 1"}}),
                     at, m_line.size() - at);
-      m_isColorNext = true;
+      m_isLookNext = true;
     }
     const bool isRay = m_entry.name.front() == 'r' || m_entry.name.front() == 'R';
     put(*findKind(isRay ? RayObject::kind : LineObject::kind), {start, direction});
@@ -313,8 +313,8 @@ private:
       const std::size_t at = m_reader.at();
       if (m_reader.take("step"))
         number.step = numberHere();
-      else if (isColorNext(m_reader)) {
-        m_isColorNext = true;
+      else if (isLookNext(m_reader)) {
+        m_isLookNext = true;
         return;
       } else {
         number.from = numberHere();
@@ -343,19 +343,24 @@ private:
     return std::get<ExactVec3>(value).x;
   }
 
-  // --- colours
+  // --- the look
 
-  void readColor() {
-    if (!std::exchange(m_isColorNext, false) && !m_reader.take(",") && !m_reader.take(";"))
-      return;
+  void readLook() {
+    while (!hasFault() && (std::exchange(m_isLookNext, false) || m_reader.take(",") || m_reader.take(";")))
+      readLookWord();
+  }
+
+  void readLookWord() {
     const std::size_t at = m_reader.at();
-    const std::string name(m_reader.takeName());
-    m_entry.color = findHue(name);
-    if (m_entry.color && halfspace::kindOf(m_entry))
-      return;
-    fail(m_entry.color ? words("A construction has no colour of its own.")
-                       : words("“{name}” is not a colour.", {{"name", name}}),
-         at, name.size());
+    const std::string word(m_reader.takeName());
+    if (word == hiddenField)
+      m_entry.isHidden = true;
+    else if (word == lockedField)
+      m_entry.isLocked = true;
+    else if (const auto hue = findHue(word))
+      m_entry.color = hue;
+    else
+      fail(words("“{name}” is not a colour.", {{"name", word}}), at, word.size());
   }
 
   /// Says what keeps the whole from being an entry, as its scene sees it.
@@ -373,7 +378,7 @@ private:
   SceneNames m_names;
   FormulaReader m_reader;
   Entry m_entry;
-  bool m_isColorNext = false;
+  bool m_isLookNext = false;
   std::optional<TypedFault> m_fault;
 };
 

@@ -21,7 +21,7 @@ namespace halfspace {
 /// - `d = distance(E, Q)`: a construction by its id or its word, which takes what it looks at in any order,
 /// as far
 ///   as kinds tell it.
-/// - A colour may follow: `Q = (1, 2, 3), green`.
+/// - Its look may follow, a colour, and whether it is hidden or locked: `Q = (1, 2, 3), green, locked`.
 ///
 /// Coordinates are formulas: an object with names in one follows these. The fault is in the line's bytes.
 [[nodiscard]] std::variant<Entry, TypedFault> readLine(std::string_view line, const Scene &above,

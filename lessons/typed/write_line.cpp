@@ -21,11 +21,21 @@ public:
     const std::string content = contentText();
     if (content.empty())
       return {};
-    return m_entry.name + " = " + content +
-           (m_entry.color ? m_separator + std::string(nameOf(*m_entry.color)) : std::string());
+    return m_entry.name + " = " + content + lookText();
   }
 
 private:
+  std::string lookText() const {
+    std::string text;
+    if (m_entry.color)
+      text += m_separator + std::string(nameOf(*m_entry.color));
+    if (m_entry.isHidden)
+      text += m_separator + hiddenField;
+    if (m_entry.isLocked)
+      text += m_separator + lockedField;
+    return text;
+  }
+
   std::string contentText() const {
     if (const auto *object = std::get_if<Object>(&m_entry.content))
       return objectText(*object);

@@ -18,7 +18,6 @@ static_assert(mostLabelsByHand <= maxMapKeys, "what is written can be read");
 
 constexpr const char *atField = "at";
 constexpr const char *sideField = "side";
-constexpr const char *hiddenField = "hidden";
 
 using SideWord = std::pair<std::string_view, LabelSpot::Side>;
 constexpr std::array sideWords{SideWord{"left", LabelSpot::Side::Left},

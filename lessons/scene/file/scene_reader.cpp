@@ -180,7 +180,7 @@ RoleObjects readRole(const DocumentNode &role, FieldReader &fields) {
 }
 
 ConstructionUse readUse(FieldReader &fields) {
-  fields.allowOnly({"name", "construction", "of"});
+  fields.allowOnly({"name", "construction", "of", hiddenField});
   ConstructionUse use;
   use.id = fields.text("construction");
   const DocumentNode *roles = fields.required("of");
@@ -211,8 +211,6 @@ void complainOfKind(const DocumentNode &node, FieldReader &fields) {
   fields.complain(node, fields.pathOf(""), sentence);
 }
 
-bool isDrawn(const Kind &kind) { return kind.draw != drawNothing || kind.binding; }
-
 /// Reads the colour that an object is to have; nothing where none is said.
 std::optional<Hue> readColor(FieldReader &fields) {
   const DocumentNode *node = fields.optional(colorField);
@@ -238,14 +236,12 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isN
   entry.name = fields.text("name");
   if (fields.optional("construction")) {
     entry.content = readUse(fields);
+    entry.isHidden = fields.truth(hiddenField, false);
     return entry;
   }
   for (const Kind &kind : kinds())
     if (const DocumentNode *coordinates = fields.optional(kind.word)) {
-      if (isDrawn(kind))
-        fields.allowOnly({"name", kind.word, colorField});
-      else
-        fields.allowOnly({"name", kind.word});
+      fields.allowOnly({"name", kind.word, colorField, hiddenField, lockedField});
       if (followsOthers(*coordinates, kind)) {
         entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind, isName);
       } else {
@@ -254,6 +250,8 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isN
         entry.content = object;
       }
       entry.color = readColor(fields);
+      entry.isHidden = fields.truth(hiddenField, false);
+      entry.isLocked = fields.truth(lockedField, false);
       return entry;
     }
   complainOfKind(node, fields);

@@ -49,24 +49,27 @@ Json bound(const std::string &host, const Json &coordinates) {
   return json;
 }
 
-Json jsonOf(const Entry &entry) {
-  Json json{{"name", entry.name}};
+/// What the entry is: its kind with its coordinates or formulas, or its construction with what that looks at.
+Json contentJson(const Entry &entry) {
   if (const auto *object = std::get_if<Object>(&entry.content)) {
     const Json coordinates = coordinatesJson(*object);
-    json[std::string(kindOf(*object))] = entry.on.empty() ? coordinates : bound(entry.on, coordinates);
-    if (entry.color)
-      json[colorField] = nameOf(*entry.color);
-    return json;
+    return {{std::string(kindOf(*object)), entry.on.empty() ? coordinates : bound(entry.on, coordinates)}};
   }
-  if (const auto *derived = std::get_if<DerivedObject>(&entry.content)) {
-    json[std::string(derived->kind->word)] = formulasJson(*derived);
-    if (entry.color)
-      json[colorField] = nameOf(*entry.color);
-    return json;
-  }
+  if (const auto *derived = std::get_if<DerivedObject>(&entry.content))
+    return {{std::string(derived->kind->word), formulasJson(*derived)}};
   const auto &use = std::get<ConstructionUse>(entry.content);
-  json["construction"] = use.id;
-  json["of"] = rolesJson(use);
+  return {{"construction", use.id}, {"of", rolesJson(use)}};
+}
+
+Json jsonOf(const Entry &entry) {
+  Json json{{"name", entry.name}};
+  json.update(contentJson(entry));
+  if (entry.color)
+    json[colorField] = nameOf(*entry.color);
+  if (entry.isHidden)
+    json[hiddenField] = true;
+  if (entry.isLocked)
+    json[lockedField] = true;
   return json;
 }
 

@@ -11,12 +11,12 @@ namespace halfspace {
 
 /// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked
 /// at from, version 4 what colour an object has, version 5 where labels were put, version 6 formulas in the
-/// place of coordinates; older files are read all the same.
-inline constexpr int sessionFileVersion = 6;
+/// place of coordinates, version 7 what is hidden or locked; older files are read all the same.
+inline constexpr int sessionFileVersion = 7;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;
 
-/// The text of a .halfspace file: {"format":"halfspace","version":5,"lesson":…,"step":…,"scene":[…]};
+/// The text of a .halfspace file: {"format":"halfspace","version":7,"lesson":…,"step":…,"scene":[…]};
 /// coordinates are exact texts ("-10/3"). With a view also {"view":{"from":[…],"at":[…],"height":…,
 /// "orthographic":…}}, in decimals, and with labels that were moved or hidden what label_fields.h says.
 /// Without the meshes that are too large for it (`withoutLargeMeshes`).

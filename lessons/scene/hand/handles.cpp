@@ -24,20 +24,25 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
   }
 }
 
+/// What nobody sees cannot be taken either.
+bool canBeHeld(const Entry &entry) { return !entry.isLocked && !entry.isHidden; }
+
 } // namespace
 
 std::vector<Handle> handlesOf(const PlacedScene &placed) {
   std::vector<Handle> handles;
   for (const Entry &entry : placed.scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
+    if (const auto *object = std::get_if<Object>(&entry.content);
+        object && !isBound(entry) && canBeHeld(entry)) {
       addCoordinateHandles(entry.name, *object, handles);
       for (Handle &own : object->kind().ownHandles(entry.name, *object))
         handles.push_back(std::move(own));
     }
   // Last, so that where a bound point lies on a handle of its host it is the one to be grabbed.
   for (const PlacedObject &bound : placed.bound)
-    handles.push_back(boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host->object,
-                                  bound.point->object[0]));
+    if (canBeHeld(*placed.scene.entries.find(bound.name)))
+      handles.push_back(boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host->object,
+                                    bound.point->object[0]));
   return handles;
 }
 

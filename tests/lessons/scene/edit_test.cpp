@@ -1,5 +1,7 @@
 #include "lessons/scene/edit.h"
 
+#include "lessons/object/kind.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/scene_checker.h"
@@ -120,6 +122,36 @@ TEST(ChangeLabel, TooFarAwayOrOfNoNumber_IsBroughtWithinBounds) {
                                                ChangeLabel{"E", LabelByHand{LabelSpot{{1.0 / 3, -1e9}}}}});
   EXPECT_EQ(after.labels.at("Q").spot->offset, glm::dvec2(mostLabelOffset, 0));
   EXPECT_EQ(after.labels.at("E").spot->offset, glm::dvec2(0.33, -mostLabelOffset));
+}
+
+TEST(ReplaceEntry, ByAnotherNameAndSort_IsFollowedByWhatLooksAtIt_AndByItsLabels) {
+  Scene labelled = edited(chain(), {ChangeLabel{"Q", moved}});
+  labelled = edited(labelled, {AddEntry{0, {"A", PointObject{{1, 2, 3}}}}});
+  const Formula twice{FormulaKind::Product, {}, {}, {{FormulaKind::Number, 2}, {FormulaKind::Name, 0, "A"}}};
+  const Entry derived{"P", DerivedObject{findKind("point"), {twice}}};
+  const Scene after = edited(labelled, {ReplaceEntry{"Q", derived}});
+  EXPECT_EQ(namesOf(after), (std::vector<std::string>{"A", "E", "P", "distance", "again"}));
+  EXPECT_EQ(std::get<ConstructionUse>(after.entries.find("distance")->content).roles.at("Q"), RoleObjects("P"));
+  EXPECT_EQ(after.labels, (LabelsByHand{{"P", moved}}));
+  EXPECT_EQ(evaluate(after).find("P")->offers.front().given->object, Object(PointObject{{2, 4, 6}}));
+}
+
+TEST(ReplaceEntry, ByWhatOthersCannotLookAtOrByATakenName_IsRefused) {
+  EXPECT_NE(refusal(chain(), ReplaceEntry{"Q", {"Q", PlaneObject{{0, 0, 0}, {0, 0, 1}}}}), "");
+  EXPECT_NE(refusal(chain(), ReplaceEntry{"Q", {"E", PointObject{}}}), "");
+  EXPECT_EQ(refusal(chain(), ReplaceEntry{"X", {"X", PointObject{}}}), "There is no “X” in the scene.");
+}
+
+TEST(ReplaceEntry, WithALookThatItCannotHave_IsRefusedWithASentence) {
+  Entry distance = *chain().entries.find("distance");
+  distance.color = Hue::Red;
+  EXPECT_EQ(refusal(chain(), ReplaceEntry{"distance", distance}), "“distance” has no colour of its own.");
+  distance.color.reset();
+  distance.isHidden = true;
+  EXPECT_EQ(refusal(chain(), ReplaceEntry{"distance", distance}), "");
+  Entry number{"k", NumberObject{1, 0, 2, 1}};
+  number.isHidden = true;
+  EXPECT_EQ(refusal(chain(), AddEntry{0, number}), "“k” is a number: it is in no picture.");
 }
 
 TEST(ChangeLabel, OfNoEntryOrBeyondTheLimits_IsRefused) {

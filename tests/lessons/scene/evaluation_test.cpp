@@ -287,5 +287,21 @@ TEST(FigureOf, AScene_HasNoLabelsThatSomebodyHasHidden_AndAllItsMarks) {
   EXPECT_EQ(std::get<PointMark>(*findMark(figure, "Q")).coordinates, "");
 }
 
+TEST(Figure, OfAHiddenEntry_HasNothingOfIt_AndOthersGoOnToLookAtIt) {
+  Scene scene = distanceScene();
+  const Evaluation seen = evaluate(scene);
+  scene.entries.change(*scene.entries.placeOf("Q"), [](Entry &entry) { entry.isHidden = true; });
+  const Evaluation hidden = evaluate(scene, seen);
+  const auto hasMarkOf = [](const Figure &figure, const std::string &entry) {
+    return std::any_of(figure.marks.begin(), figure.marks.end(),
+                       [&](const Mark &mark) { return entryOfMark(baseOf(mark).id) == entry; });
+  };
+  EXPECT_TRUE(hasMarkOf(figureOf(seen), "Q"));
+  EXPECT_FALSE(hasMarkOf(figureOf(hidden), "Q"));
+  EXPECT_TRUE(hasMarkOf(figureOf(hidden), "E"));
+  EXPECT_TRUE(hasMarkOf(figureOf(hidden), "distance"));
+  EXPECT_EQ(hidden.find("distance")->outcome, seen.find("distance")->outcome);
+}
+
 } // namespace
 } // namespace halfspace

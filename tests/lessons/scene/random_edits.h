@@ -15,7 +15,7 @@ public:
   explicit RandomEdits(std::uint64_t seed) : m_engine(seed) {}
 
   Edit next(const Scene &scene) {
-    switch (below(7)) {
+    switch (below(8)) {
     case 0:
       return anyChange(scene);
     case 1:
@@ -28,6 +28,8 @@ public:
       return anyRebinding(scene);
     case 5:
       return anyLabel(scene);
+    case 6:
+      return anyReplacement(scene);
     default:
       return MoveEntry{anyName(scene), below(scene.entries.size() + 1)};
     }
@@ -61,6 +63,16 @@ private:
     const std::string name = anyName(scene);
     const Object *object = findObject(scene, name);
     return ChangeObject{name, object && below(4) > 0 ? objectOf(kindOf(*object)) : anyObject()};
+  }
+  /// By anything, or by the same with another look.
+  Edit anyReplacement(const Scene &scene) {
+    const std::string name = anyName(scene);
+    const Entry *old = scene.entries.find(name);
+    Entry entry = old && below(3) > 0 ? *old : anyEntry(scene);
+    entry.color = below(2) == 0 ? std::nullopt : std::optional(static_cast<Hue>(below(hueCount)));
+    entry.isHidden = below(2) == 0;
+    entry.isLocked = below(2) == 0;
+    return ReplaceEntry{name, std::move(entry)};
   }
   /// Of a mark that may be there; one that was moved is hidden or put back now and then.
   Edit anyLabel(const Scene &scene) {

@@ -49,6 +49,9 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   EXPECT_EQ(objectOf("k = 3/2"), Object(NumberObject{test::q(3, 2), -10, 10, test::q(1, 10)}));
   EXPECT_EQ(objectOf("k = 30, 0 <= k <= 50, step 1/2"), Object(NumberObject{30, 0, 50, test::q(1, 2)}));
   EXPECT_EQ(typed({"Q = (1, 2, 3), green"}).entries[0].color, Hue::Green);
+  const Entry looking = typed({"Q = (1, 2, 3), locked, green, hidden"}).entries[0];
+  EXPECT_TRUE(looking.isHidden && looking.isLocked && looking.color == Hue::Green);
+  EXPECT_EQ(lineFor(looking), "Q = (1, 2, 3), green, hidden, locked");
 }
 
 TEST(TypedLine, WithNamesInIt_FollowsThem) {

@@ -61,6 +61,17 @@ TEST(SessionFile, ColorOfAnObject_IsKept_AndNoneIsNotWritten) {
   EXPECT_EQ(again->scene.entries.front().color, Hue::Purple);
 }
 
+TEST(SessionFile, WhatIsHiddenOrLocked_IsKept_AndElseNotWritten) {
+  Session session = startSession();
+  EXPECT_EQ(writeSession(session).find("hidden"), std::string::npos);
+  session.scene.entries.change(0, [](Entry &entry) { entry.isHidden = entry.isLocked = true; });
+  session.scene.entries.change(2, [](Entry &entry) { entry.isHidden = true; });
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(*again, session);
+  problemOf(around(R"([{"name":"Q","hidden":"perhaps","point":[1,2,3]}])"));
+}
+
 TEST(SessionFile, WithAColorThatIsNone_SaysWhichThereAre_AndGuesses) {
   const Problem problem = problemOf(around(R"([{"name":"Q","color":"purpel","point":[1,2,3]}])"));
   EXPECT_TRUE(mentions(problem, "“purpel” is not a colour")) << problem.sentence;

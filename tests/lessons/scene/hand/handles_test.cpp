@@ -111,5 +111,21 @@ TEST(Handles, OfAWhole_RiseWithoutAJump_WhereACornerComesToTheMiddle) {
   EXPECT_EQ(last, 1);
 }
 
+TEST(Handles, OfWhatIsHiddenOrLocked_AreNone) {
+  for (bool Entry::*look : {&Entry::isHidden, &Entry::isLocked}) {
+    Scene scene = distanceScene();
+    const auto countOf = [&](const std::string &object) {
+      const std::vector<Handle> handles = handlesOf(scene);
+      return std::count_if(handles.begin(), handles.end(),
+                           [&](const Handle &handle) { return handle.object == object; });
+    };
+    EXPECT_EQ(countOf("Q"), 1);
+    const auto ofPlane = countOf("E");
+    scene.entries.change(*scene.entries.placeOf("Q"), [&](Entry &entry) { entry.*look = true; });
+    EXPECT_EQ(countOf("Q"), 0);
+    EXPECT_EQ(countOf("E"), ofPlane);
+  }
+}
+
 } // namespace
 } // namespace halfspace
