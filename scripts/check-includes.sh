@@ -19,7 +19,7 @@ lessons/object       : geometry geometry/search lessons lessons/term lessons/fig
 lessons/formula      : geometry lessons lessons/object lessons/reading
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
 lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/formula lessons/construction lessons/reading lessons/files : JSON
-lessons/typed        : geometry lessons lessons/figure lessons/object lessons/formula lessons/construction lessons/scene lessons/reading
+lessons/typed        : geometry lessons lessons/term lessons/figure lessons/object lessons/formula lessons/construction lessons/scene lessons/reading
 lessons/fitting      : lessons lessons/object lessons/formula lessons/construction lessons/scene
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/formula      : geometry lessons/* : HarfBuzz

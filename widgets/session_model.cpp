@@ -18,7 +18,8 @@ bool haveSameEntries(const Scene &a, const Scene &b) {
 
 } // namespace
 
-SessionModel::SessionModel(LessonLibrary library, Session first) : m_library(std::move(library)) {
+SessionModel::SessionModel(LessonLibrary library, Session first)
+    : m_library(std::move(library)), m_exploreStep(stepShowing({})) {
   connect(&m_history, &SessionHistory::sceneChanged, this, [this](const Session &before, bool replaced) {
     showSince(before);
     if (replaced)
@@ -61,7 +62,7 @@ void SessionModel::setLibrary(LessonLibrary library) {
   m_library = std::move(library);
   const Lesson *now = m_library.find(before.id);
   Session renewed = session();
-  if (now && (renewed.scene == before.scene || !haveSameEntries(now->scene, renewed.scene)))
+  if (now && !isExplore(*this) && (renewed.scene == before.scene || !haveSameEntries(now->scene, renewed.scene)))
     renewed.scene = now->scene;
   if (!(renewed.scene == session().scene))
     m_history.beginAnew(true);
@@ -122,7 +123,21 @@ void SessionModel::showSince(const Session &before) {
   emit outcomeChanged();
 }
 
-const LessonStep &SessionModel::step() const { return stepOf(*m_lesson, session().step); }
+const LessonStep &SessionModel::step() const {
+  return isExplore(*this) ? m_exploreStep : stepOf(*m_lesson, session().step);
+}
+
+void SessionModel::showWorkings(const std::vector<std::string> &constructions) {
+  LessonStep step = stepShowing(constructions);
+  const auto idsOf = [](const LessonStep &each) { return std::get<StepLines>(each.blocks.front()).ids; };
+  if (idsOf(step) == idsOf(m_exploreStep))
+    return;
+  m_exploreStep = std::move(step);
+  if (!isExplore(*this))
+    return;
+  m_scene.takeStep(m_exploreStep, m_questionOf());
+  emit outcomeChanged();
+}
 
 void SessionModel::setQuestionOf(std::function<Question()> questionOf) {
   m_questionOf = std::move(questionOf);

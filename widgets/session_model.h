@@ -1,7 +1,7 @@
 // The session that the window works on, with what it comes to.
 #pragma once
 
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/explore.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/hand/snap_targets.h"
 #include "lessons/scene/hand/snapping.h"
@@ -68,6 +68,8 @@ public:
   /// words.
   void startWith(Session session, std::optional<LessonLibrary> library = {});
   void setStep(int step);
+  /// The constructions whose lines are shown in Explore; in other lessons their steps say it.
+  void showWorkings(const std::vector<std::string> &constructions);
   /// Who knows whether the current step's question is answered, if it has one: see shownIn. It is asked for
   /// every outcome; before, each question counts as answered.
   void setQuestionOf(std::function<Question()> questionOf);
@@ -91,12 +93,15 @@ private:
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
   const Lesson *m_lesson = nullptr;
+  LessonStep m_exploreStep; ///< of Explore
   SessionHistory m_history;
   ShownScene m_scene;
   std::function<Question()> m_questionOf = [] { return Question::Answered; };
   std::map<std::string, Session> m_left;
   Snapping m_snapping;
 };
+
+[[nodiscard]] inline bool isExplore(const SessionModel &model) { return model.session().lesson == exploreId; }
 
 /// Whether the scene is another one than the lesson begins with.
 [[nodiscard]] inline bool isChanged(const SessionModel &model) {

@@ -178,6 +178,7 @@ struct LessonStep {
   /// The marks that its figure has besides the given ones and those that its lines speak of, named as lines
   /// are.
   std::vector<std::string> drawn{};
+  bool drawsAll = false;         ///< it has all marks, whatever its lines are
   std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
   std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
   std::vector<TaughtTerm> terms{};
@@ -246,6 +247,7 @@ struct LessonLibrary {
   std::vector<Lesson> lessons;
   std::vector<Problem> problems;
 
+  /// The lesson with an id, or null; see also `exploreLesson`, which is no lesson of a folder.
   [[nodiscard]] const Lesson *find(std::string_view id) const;
   /// Puts a lesson into the place of the one with its id, in whose chapter it stands then, or behind all
   /// others.

@@ -1,4 +1,5 @@
 // The lessons of a folder.
+#include "lessons/lesson/explore.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/words.h"
 
@@ -12,7 +13,7 @@ const Lesson *LessonLibrary::find(std::string_view id) const {
   for (const Lesson &lesson : lessons)
     if (lesson.id == id)
       return &lesson;
-  return nullptr;
+  return id == exploreId ? &exploreLesson() : nullptr;
 }
 
 void LessonLibrary::put(Lesson lesson) {

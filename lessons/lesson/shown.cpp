@@ -186,7 +186,7 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
   if (question == Question::Open) {
     keepNamed({}, figure);
     letRaysRunOn(figure);
-  } else if (!lines.empty()) {
+  } else if (!lines.empty() && !step.drawsAll) {
     Marks named = marksNamedIn(shown.working);
     named.merge(marksDrawn(step.drawn, figure));
     keepNamed(named, figure);

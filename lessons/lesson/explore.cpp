@@ -1,0 +1,39 @@
+#include "lessons/lesson/explore.h"
+
+#include "lessons/lesson/lesson_markup.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+/// A view in which the ground reaches from corner to corner, and all three axes are seen.
+const CameraView usualView{{1.25, -0.9, 0.8}, {0, 0, 1}, 14};
+
+Lesson madeLesson() {
+  Lesson lesson;
+  lesson.id = exploreId;
+  lesson.title = words("Explore");
+  lesson.camera = usualView;
+  lesson.steps = {stepShowing({})};
+  return lesson;
+}
+
+} // namespace
+
+const Lesson &exploreLesson() {
+  static const Lesson lesson = madeLesson();
+  return lesson;
+}
+
+LessonStep stepShowing(const std::vector<std::string> &constructions) {
+  StepLines lines;
+  for (const std::string &name : constructions)
+    lines.ids.push_back(name + ".*");
+  if (lines.ids.empty())
+    lines.ids.emplace_back(noLines);
+  LessonStep step{words("Your own scene"), {std::move(lines)}};
+  step.drawsAll = true;
+  return step;
+}
+
+} // namespace halfspace

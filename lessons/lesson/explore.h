@@ -1,0 +1,17 @@
+// Explore: a lesson without words, in which users build scenes of their own.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+
+namespace halfspace {
+
+/// The id that sessions have in it.
+inline constexpr const char *exploreId = "explore";
+
+/// It begins empty, and is in no folder: every library knows it.
+[[nodiscard]] const Lesson &exploreLesson();
+
+/// Its step: all of the scene, with the lines of these constructions; of none, no lines.
+[[nodiscard]] LessonStep stepShowing(const std::vector<std::string> &constructions);
+
+} // namespace halfspace
