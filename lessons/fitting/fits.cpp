@@ -2,8 +2,6 @@
 
 #include "lessons/construction/construction.h"
 #include "lessons/fitting/objects_between.h"
-#include "lessons/object/kind.h"
-#include "lessons/object/kinds/point.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/fresh_names.h"
 #include "lessons/scene/scene_checker.h"
@@ -13,16 +11,6 @@
 
 namespace halfspace {
 namespace {
-
-/// Calls a function with each object that a scene has.
-template <class Function> void forEachObject(const Scene &scene, Function function) {
-  for (const Entry &entry : scene.entries)
-    if (const Kind *kind = kindOf(entry))
-      function(SeenObject{entry.name, kind->binding ? PointObject::kind : kind->word});
-    else if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
-      for (const ConstructionRole &made : construction->makes)
-        function(SeenObject{entry.name + "." + made.name, made.kind});
-}
 
 /// A construction with selected objects in its roles.
 struct FilledUse {
@@ -36,13 +24,13 @@ class Fitter {
 public:
   Fitter(const Scene &scene, const std::vector<std::string> &selected) : m_names(scene) {
     m_selected.resize(selected.size());
-    forEachObject(scene, [&](const SeenObject &object) {
+    for (SeenObject &object : seenObjectsOf(scene)) {
       const auto place = std::find(selected.begin(), selected.end(), object.id);
       if (place == selected.end())
         m_otherKinds.insert(object.kind);
       else
-        m_selected[static_cast<std::size_t>(place - selected.begin())] = object;
-    });
+        m_selected[static_cast<std::size_t>(place - selected.begin())] = std::move(object);
+    }
     std::erase_if(m_selected, [](const SeenObject &object) { return object.id.empty(); });
   }
 

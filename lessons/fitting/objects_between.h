@@ -1,8 +1,7 @@
 // Objects whose coordinates are others: a triangle by its corners.
 #pragma once
 
-#include "lessons/fitting/seen_object.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/seen_objects.h"
 
 namespace halfspace {
 

@@ -36,7 +36,19 @@ constexpr std::array usualLetters{
 /// They stand for the unknowns of equations and for the parameter of a line.
 constexpr std::string_view unknowns = "xyzt";
 
+/// Of a kind that says nothing else the letter that its word begins with.
+UsualLetters usualLettersOf(const Kind &kind) {
+  const std::string_view word = kind.binding ? PointObject::kind : kind.word;
+  const auto *usual = std::find_if(usualLetters.begin(), usualLetters.end(),
+                                   [&](const UsualLetters &each) { return each.kind == word; });
+  return usual != usualLetters.end() ? *usual : UsualLetters{word, word.substr(0, 1), word.front()};
+}
+
 } // namespace
+
+bool isUsualLetter(const Kind &kind, char letter) {
+  return usualLettersOf(kind).letters.find(letter) != std::string_view::npos;
+}
 
 FreshNames::FreshNames(const Scene &scene) : m_scene(scene) {
   for (const Entry &entry : scene.entries)
@@ -60,11 +72,8 @@ std::string FreshNames::firstFree(std::string_view letters, char numbered) const
 }
 
 std::string FreshNames::ofKind(const Kind &kind) const {
-  const std::string_view word = kind.binding ? PointObject::kind : kind.word;
-  const auto *usual = std::find_if(usualLetters.begin(), usualLetters.end(),
-                                   [&](const UsualLetters &each) { return each.kind == word; });
-  return usual != usualLetters.end() ? firstFree(usual->letters, usual->numbered)
-                                     : firstFree(word.substr(0, 1), word.front());
+  const UsualLetters usual = usualLettersOf(kind);
+  return firstFree(usual.letters, usual.numbered);
 }
 
 std::string FreshNames::ofUse(const Construction &construction) const {

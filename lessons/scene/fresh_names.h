@@ -9,6 +9,9 @@ namespace halfspace {
 
 struct Construction;
 
+/// Whether objects of a kind usually have names that begin with a letter.
+[[nodiscard]] bool isUsualLetter(const Kind &kind, char letter);
+
 /// Names that no entry of a scene has, and no object that a construction makes there, which would no longer
 /// be found by its own name alone. None of them means something else in typed lines: x, y, z and t do. The
 /// scene must outlive it.

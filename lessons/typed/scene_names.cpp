@@ -1,8 +1,6 @@
 #include "lessons/typed/scene_names.h"
 
-#include "lessons/construction/construction.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/kinds/point.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/formula_names.h"
 
@@ -10,25 +8,15 @@
 
 namespace halfspace {
 
-SceneNames::SceneNames(const Scene &scene) {
-  for (const Entry &entry : scene.entries) {
-    if (const Kind *kind = halfspace::kindOf(entry)) {
-      const std::string_view word = kind->binding ? PointObject::kind : kind->word;
-      m_entries.emplace(entry.name, word);
-      m_objects.push_back({entry.name, word});
-      continue;
-    }
-    m_entries.emplace(entry.name, "");
-    if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
-      for (const ConstructionRole &made : construction->makes)
-        m_objects.push_back({entry.name + "." + made.name, made.kind});
-  }
+SceneNames::SceneNames(const Scene &scene) : m_objects(seenObjectsOf(scene)) {
+  for (const Entry &entry : scene.entries)
+    m_entries.insert(entry.name);
 }
 
 std::vector<std::string> SceneNames::idsFor(const std::string &name) const {
   std::vector<std::string> own;
   std::vector<std::string> made;
-  for (const Object &object : m_objects) {
+  for (const SeenObject &object : m_objects) {
     const QualifiedName id = qualified(object.id);
     if (object.id == name)
       return {name};
@@ -49,8 +37,8 @@ bool SceneNames::isName(std::string_view name) const {
 std::string SceneNames::find(const std::string &name, std::string_view kind) const {
   std::string found;
   for (const std::string &id : idsFor(name)) {
-    const auto object =
-        std::find_if(m_objects.begin(), m_objects.end(), [&](const Object &each) { return each.id == id; });
+    const auto object = std::find_if(m_objects.begin(), m_objects.end(),
+                                     [&](const SeenObject &each) { return each.id == id; });
     if (!canStandFor(kind, object->kind))
       continue;
     if (!found.empty())
@@ -65,14 +53,14 @@ std::string_view SceneNames::kindOf(const std::string &name) const {
   if (ids.size() != 1)
     return {};
   return std::find_if(m_objects.begin(), m_objects.end(),
-                      [&](const Object &each) { return each.id == ids.front(); })
+                      [&](const SeenObject &each) { return each.id == ids.front(); })
       ->kind;
 }
 
 std::vector<std::string> SceneNames::names() const {
   std::vector<std::string> names;
   names.reserve(m_objects.size());
-  for (const Object &object : m_objects)
+  for (const SeenObject &object : m_objects)
     names.push_back(object.id);
   return names;
 }

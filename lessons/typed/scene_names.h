@@ -1,9 +1,9 @@
 // What goes by which name in a scene, for those who type.
 #pragma once
 
-#include "lessons/scene/scene.h"
+#include "lessons/scene/seen_objects.h"
 
-#include <map>
+#include <set>
 
 namespace halfspace {
 
@@ -34,12 +34,8 @@ private:
   /// The ids that a name can mean, the nearest first.
   [[nodiscard]] std::vector<std::string> idsFor(const std::string &name) const;
 
-  struct Object {
-    std::string id;
-    std::string_view kind;
-  };
-  std::map<std::string, std::string_view, std::less<>> m_entries; ///< the kind; empty for a use
-  std::vector<Object> m_objects;                                  ///< in their order
+  std::set<std::string, std::less<>> m_entries; ///< all names of entries
+  std::vector<SeenObject> m_objects;            ///< in their order
 };
 
 /// Three numbers are a point where the name begins with a capital letter, else a vector.

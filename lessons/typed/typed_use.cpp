@@ -9,13 +9,6 @@
 namespace halfspace {
 namespace {
 
-std::string wantedBy(const Construction &construction) {
-  std::string list;
-  for (const ConstructionRole &role : construction.roles)
-    list += (list.empty() ? "" : ", ") + nounOf(role.kind) + (role.isList ? " …" : "");
-  return list;
-}
-
 /// Puts arguments into the roles of one construction.
 class RoleFiller {
 public:
@@ -28,7 +21,7 @@ public:
     const bool hasList =
         std::any_of(roles.begin(), roles.end(), [](const ConstructionRole &role) { return role.isList; });
     if (m_arguments.size() < roles.size() || (!hasList && m_arguments.size() > roles.size()))
-      return TypedFault{words("This looks at {objects}.", {{"objects", wantedBy(m_construction)}}), at,
+      return TypedFault{words("This looks at {objects}.", {{"objects", objectsWantedBy(m_construction)}}), at,
                         word.size()};
     ConstructionUse use{std::string(m_construction.id), {}};
     for (const ConstructionRole &role : roles)
@@ -73,6 +66,13 @@ private:
 };
 
 } // namespace
+
+std::string objectsWantedBy(const Construction &construction) {
+  std::string list;
+  for (const ConstructionRole &role : construction.roles)
+    list += (list.empty() ? "" : ", ") + nounOf(role.kind) + (role.isList ? " …" : "");
+  return list;
+}
 
 TypedFault misfit(const Argument &argument, std::string_view needed, const SceneNames &names) {
   if (argument.formula.kind != FormulaKind::Name)

@@ -7,6 +7,11 @@
 
 namespace halfspace {
 
+struct Construction;
+
+/// What a construction looks at, as a list: “a plane, a point”.
+[[nodiscard]] std::string objectsWantedBy(const Construction &construction);
+
 /// The use of the first construction of this id or word into whose roles the arguments fit: in any order, as
 /// far as kinds tell it. Or what is wrong with them; `at` is where the word stands.
 [[nodiscard]] std::variant<ConstructionUse, TypedFault> useOf(const std::string &word, std::size_t at,

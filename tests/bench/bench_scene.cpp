@@ -1,6 +1,6 @@
-// Scenes that grow: what an edit, a frame of a drag, saving and opening, and the list of what fits a
-// selection cost in scenes of 3 to 500 constructions, and the list of 5, 20 and 1,000 lessons. Each should be
-// flat or linear.
+// Scenes that grow: what an edit, a frame of a drag, saving and opening, the list of what fits a selection,
+// and the completions of a typed line cost in scenes of 3 to 500 constructions, and the list of 5, 20 and
+// 1,000 lessons. Each should be flat or linear.
 #include "lessons/fitting/fits.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
@@ -9,6 +9,7 @@
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/hand/snap_targets.h"
 #include "lessons/scene/history.h"
+#include "lessons/typed/complete_line.h"
 #include "tests/bench/durations.h"
 #include "widgets/picture/stage.h"
 
@@ -124,6 +125,16 @@ void measureFits(int constructions) {
               listed);
 }
 
+/// What a key costs in a line that is being typed: at its begin, and between brackets.
+void measureCompletions(int constructions) {
+  const Scene scene = sceneOf(constructions);
+  const auto completed = [&](const std::string &line) {
+    return millisecondsOf(20, [&](int) { (void)completionsOf(line, line.size(), scene); });
+  };
+  std::printf("%5zu entries: completed an empty line %7.3f ms, a word %7.3f ms, an argument %7.3f ms\n",
+              scene.entries.size(), completed(""), completed("dist"), completed("n = distance(E0, "));
+}
+
 void measureLessons(int count) {
   const auto folder = std::filesystem::temp_directory_path() / "halfspace-bench-lessons";
   std::filesystem::remove_all(folder);
@@ -147,8 +158,10 @@ int main() {
   using namespace halfspace::bench;
   for (const int constructions : {3, 10, 100, 333, 500})
     measureScene(constructions);
-  for (const int constructions : {10, 100, 333})
+  for (const int constructions : {6, 66, 333})
     measureFits(constructions);
+  for (const int constructions : {6, 66, 333})
+    measureCompletions(constructions);
   for (const int lessons : {5, 20, 1000})
     measureLessons(lessons);
 }

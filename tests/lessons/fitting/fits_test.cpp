@@ -233,12 +233,15 @@ TEST(FreshNames, OfEachKindAndConstruction_CanBeNamesHoweverManyThereAre) {
       if (!kind.binding) {
         Object object(kind);
         kind.settle(object);
-        scene = test::edited(std::move(scene),
-                             {AddEntry{scene.entries.size(), {FreshNames(scene).ofKind(kind), object}}});
+        const std::string name = FreshNames(scene).ofKind(kind);
+        ASSERT_FALSE(scene.entries.find(name));
+        scene.entries.push_back({name, object});
       }
     for (const Construction &construction : constructions())
       EXPECT_FALSE(scene.entries.find(FreshNames(scene).ofUse(construction)));
   }
+  const auto problem = checkScene(scene);
+  EXPECT_FALSE(problem) << problem->sentence;
 }
 
 } // namespace
