@@ -1,5 +1,7 @@
 #include "app/main_window.h"
 
+#include "app/explore/explore_presenter.h"
+#include "app/explore/field_presenter.h"
 #include "app/export/figure_export.h"
 #include "app/export/scene_paste.h"
 #include "app/library/contents_presenter.h"
@@ -12,6 +14,7 @@
 #include "app/menus/file_menu.h"
 #include "app/menus/help_menu.h"
 #include "app/menus/lesson_menu.h"
+#include "app/menus/scene_menu.h"
 #include "app/menus/view_menu.h"
 #include "app/open_session.h"
 #include "app/panels/scene_column.h"
@@ -23,6 +26,7 @@
 #include "app/work/animation_export.h"
 #include "app/work/handout_export.h"
 #include "app/work/working_copy.h"
+#include "widgets/explore/explore_panel.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -73,6 +77,7 @@ MainWindow::MainWindow(LessonLibrary library, Session session, const Result<Sett
   auto *contents = new ContentsPresenter(m_model, m_panels.contents(), m_progress, this);
   auto *figures = new FigureExport(m_model, m_panels.scene(), m_panels.messages(), this);
   createMenus(*ownLessons, *contents, *figures);
+  createExplore();
   createHeader(*contents);
   connectParts();
   m_settings = std::make_unique<WindowSettings>(m_model, m_look, m_layout, *ownLessons,
@@ -118,6 +123,21 @@ void MainWindow::createSceneTools(CameraActions &camera) {
   frame.addTool(camera.fit(), ToolIcon::Fit);
   frame.addTool(camera.alongPlane(), ToolIcon::AlongPlane);
   frame.addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
+}
+
+void MainWindow::createExplore() {
+  SceneColumn &scene = m_panels.scene();
+  ExplorePanel &explore = m_panels.explore();
+  new ExplorePresenter(m_model, m_panels, m_step.highlights(), this);
+  m_field = new FieldPresenter(m_model, scene.bar(), explore.edits(), explore.selection(), *menuBar(), this);
+  connect(m_field, &FieldPresenter::openChanged, &scene.bar(), &EntryBar::setVisible);
+  connect(m_field, &FieldPresenter::left, &scene.view(), [&scene] { scene.view().setFocus(); });
+  connect(&explore.list(), &EntryList::lineWanted, m_field, &FieldPresenter::edit);
+  connect(&explore.edits(), &EntryEdits::told, this,
+          [this](const QString &sentence) { m_panels.messages().say(sentence); });
+  scene.bar().setVisible(isExplore(m_model));
+  const auto actions = menuBar()->actions();
+  menuBar()->insertMenu(actions.at(actions.size() - 2), new SceneMenu(m_model, *m_field, menuBar()));
 }
 
 void MainWindow::createHeader(ContentsPresenter &contents) {
@@ -193,6 +213,17 @@ void MainWindow::endWithoutQuestions() {
 void MainWindow::endWhileBusy() {
   if (const auto problem = m_autosave.keepWhileBusy())
     printError(problem->text());
+}
+
+void MainWindow::keyPressEvent(QKeyEvent *event) {
+  // A letter that no part of the window has a use for begins a line.
+  const QString text = event->text();
+  const bool isTyped = !(event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !text.isEmpty() &&
+                       text.front().isLetter();
+  if (isTyped && isExplore(m_model))
+    m_field->begin(text);
+  else
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event) {

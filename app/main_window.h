@@ -21,6 +21,7 @@ namespace halfspace {
 
 class CameraActions;
 class ContentsPresenter;
+class FieldPresenter;
 class FigureExport;
 class OwnLessonFolders;
 class WindowSettings;
@@ -60,6 +61,7 @@ signals:
 
 protected:
   void closeEvent(QCloseEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
   void resizeEvent(QResizeEvent *event) override;
   void dragEnterEvent(QDragEnterEvent *event) override;
   void dropEvent(QDropEvent *event) override;
@@ -68,6 +70,8 @@ private:
   void createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents, FigureExport &figures);
   void createHeader(ContentsPresenter &contents);
   void createSceneTools(CameraActions &camera);
+  /// The field above the scene with what is typed there, and the menu of the scene behind the others.
+  void createExplore();
   void connectParts();
   void showLook();
   void updateTitle();
@@ -85,6 +89,7 @@ private:
   SessionFiles m_files;
   Autosave m_autosave;
   LeftoverWork m_leftovers;
+  FieldPresenter *m_field = nullptr; ///< belongs to the window
   std::unique_ptr<WindowSettings> m_settings;
 };
 

@@ -13,6 +13,7 @@ namespace halfspace {
 FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, FigureExport &figures,
                    HandoutExport &handouts, AnimationExport &animations, QWidget *parent)
     : QMenu(tr("&File"), parent) {
+  addItem(*this, tr("&New"), QKeySequence::New, &files, &SessionFiles::startNew)->setObjectName("new");
   addItem(*this, tr("&Open…"), QKeySequence::Open, &files, &SessionFiles::askAndOpen);
   addItem(*this, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), &meshes, &SceneMeshes::askAndOpen);
   addItem(*this, tr("&Save"), QKeySequence::Save, &files, &SessionFiles::save)->setObjectName("save");

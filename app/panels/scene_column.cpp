@@ -1,5 +1,6 @@
 #include "app/panels/scene_column.h"
 
+#include "widgets/explore/entry_bar.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -11,13 +12,14 @@
 namespace halfspace {
 
 SceneColumn::SceneColumn(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_view(new SceneView(model, typesetter)), m_card(new NumberCard(model, typesetter)),
-      m_frame(new SceneFrame(*m_view, *m_card)), m_flat(new FlatView(model, typesetter, m_frame)),
-      m_caseLine(new CaseLine) {
+    : QWidget(parent), m_bar(new EntryBar), m_view(new SceneView(model, typesetter)),
+      m_card(new NumberCard(model, typesetter)), m_frame(new SceneFrame(*m_view, *m_card)),
+      m_flat(new FlatView(model, typesetter, m_frame)), m_caseLine(new CaseLine) {
   m_frame->setFlatView(*m_flat);
   auto *column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(m_bar);
   column->addWidget(m_frame, 1);
   column->addWidget(m_caseLine);
   connect(m_view, &SceneView::hint, m_card, &NumberCard::setHint);
@@ -33,6 +35,7 @@ void SceneColumn::setLook(const Theme &theme, double sizeScale, const Theme &pan
   m_flat->setTheme(theme);
   m_flat->setSizeScale(sizeScale);
   m_card->setTheme(panels);
+  m_bar->setTheme(panels);
   m_frame->setTheme(panels);
 }
 

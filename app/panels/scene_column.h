@@ -8,6 +8,7 @@
 namespace halfspace {
 
 class CaseLine;
+class EntryBar;
 class FlatView;
 class NumberCard;
 class SceneFrame;
@@ -15,13 +16,16 @@ class SceneView;
 class SessionModel;
 class Typesetter;
 
-/// Puts the 3D view, its card of numbers, its flat picture and the case line together; they are its own.
+/// Puts a bar to type in, the 3D view, its card of numbers, its flat picture and the case line together; they
+/// are its own.
 class SceneColumn : public QWidget {
   Q_OBJECT
 public:
   /// Model and typesetter must outlive it.
   SceneColumn(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
 
+  /// Above the view, where something is typed.
+  [[nodiscard]] EntryBar &bar() { return *m_bar; }
   [[nodiscard]] SceneView &view() { return *m_view; }
   [[nodiscard]] SceneFrame &frame() { return *m_frame; }
   [[nodiscard]] FlatView &flat() { return *m_flat; }
@@ -33,6 +37,7 @@ public:
   void setLook(const Theme &theme, double sizeScale, const Theme &panels);
 
 private:
+  EntryBar *m_bar;
   SceneView *m_view;
   NumberCard *m_card;
   SceneFrame *m_frame; ///< around the view

@@ -22,7 +22,7 @@ constexpr QSize usualSize(1280, 800);
 
 WindowLayout::WindowLayout(QMainWindow &window, WindowPanels &panels)
     : QObject(&window), m_window(window), m_split(panels.split()), m_scene(panels.scene()),
-      m_page(panels.page()), m_numbersDock(panels.numbersDock()),
+      m_side(panels.side()), m_page(panels.page()), m_numbersDock(panels.numbersDock()),
       m_sceneOnly(addChoice(tr("&Scene Only"), Qt::Key_F9)),
       m_pageOnly(addChoice(tr("Pa&ge Only"), Qt::Key_F8)),
       m_fullScreen(addChoice(tr("F&ull Screen"), Qt::Key_F11)),
@@ -94,7 +94,7 @@ void WindowLayout::takeSize() {
 
 void WindowLayout::showParts(Parts parts) {
   m_scene.setVisible(parts != Parts::PageOnly);
-  m_page.setVisible(parts != Parts::SceneOnly);
+  m_side.setVisible(parts != Parts::SceneOnly);
   m_sceneOnly->setChecked(parts == Parts::SceneOnly);
   m_pageOnly->setChecked(parts == Parts::PageOnly);
   showPage();

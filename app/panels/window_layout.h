@@ -56,6 +56,7 @@ private:
   QSplitter &m_split;           ///< between the scene and the page
   bool m_isSplitChosen = false; ///< the user has moved it
   QWidget &m_scene;
+  QWidget &m_side; ///< has the page in it
   LessonPage &m_page;
   Theme m_pageTheme;
   double m_pageTypeScale = 1; ///< as it is shown

@@ -2,6 +2,7 @@
 
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
+#include "widgets/explore/explore_panel.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/numbers/inspector.h"
@@ -17,14 +18,27 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
+namespace {
+
+// Of the height beside the scene in Explore.
+constexpr int listShare = 2;
+constexpr int pageShare = 3;
+
+} // namespace
 
 WindowPanels::WindowPanels(QMainWindow &window, SessionModel &model)
     : m_typesetter(std::make_unique<Typesetter>()), m_window(window),
       m_scene(new SceneColumn(model, *m_typesetter)), m_practice(new WorkingPractice(*m_typesetter)),
-      m_page(new LessonPage(*m_typesetter, *m_practice)), m_split(new QSplitter) {
+      m_page(new LessonPage(*m_typesetter, *m_practice)), m_explore(new ExplorePanel(model)),
+      m_side(new QSplitter(Qt::Vertical)), m_split(new QSplitter) {
+  m_side->setChildrenCollapsible(false);
+  m_side->addWidget(m_explore);
+  m_side->addWidget(m_page);
+  m_side->setStretchFactor(0, listShare);
+  m_side->setStretchFactor(1, pageShare);
   m_split->setChildrenCollapsible(false);
   m_split->addWidget(m_scene);
-  m_split->addWidget(m_page);
+  m_split->addWidget(m_side);
   m_split->setStretchFactor(0, 1);
   m_split->setStretchFactor(1, 0);
   auto *center = new QWidget;
@@ -59,6 +73,7 @@ void WindowPanels::setLook(const Theme &theme, double sizeScale, const Theme &pa
   m_practice->working().setTheme(panels);
   m_inspector->setTheme(panels);
   m_contents->setTheme(panels);
+  m_explore->setTheme(panels);
 }
 
 } // namespace halfspace

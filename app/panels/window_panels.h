@@ -12,6 +12,7 @@ class QSplitter;
 namespace halfspace {
 
 class ContentsDrawer;
+class ExplorePanel;
 class Inspector;
 class LessonPage;
 class SceneColumn;
@@ -36,7 +37,11 @@ public:
   [[nodiscard]] SceneColumn &scene() { return *m_scene; }
   [[nodiscard]] WorkingPractice &practice() { return *m_practice; }
   [[nodiscard]] LessonPage &page() { return *m_page; }
-  /// Between the scene and the page.
+  /// Above the page, in Explore.
+  [[nodiscard]] ExplorePanel &explore() { return *m_explore; }
+  /// Between the list of Explore and the page below it.
+  [[nodiscard]] QSplitter &side() { return *m_side; }
+  /// Between the scene and the side.
   [[nodiscard]] QSplitter &split() { return *m_split; }
   [[nodiscard]] Inspector &inspector() { return *m_inspector; }
   [[nodiscard]] QDockWidget &numbersDock() { return *m_numbersDock; }
@@ -55,6 +60,8 @@ private:
   SceneColumn *m_scene;
   WorkingPractice *m_practice;
   LessonPage *m_page; ///< has the practice in it
+  ExplorePanel *m_explore;
+  QSplitter *m_side; ///< has both in it
   QSplitter *m_split;
   Inspector *m_inspector = nullptr;
   QDockWidget *m_numbersDock = nullptr; ///< has the inspector in it

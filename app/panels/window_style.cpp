@@ -80,6 +80,17 @@ QString styleSheetOf(const Theme &theme) {
     QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 0.15em 0.4em; }
     QLineEdit:focus { border-color: %7; }
     QLineEdit[wrong="true"] { border-color: %4; color: %4; }
+    QWidget#entryBar { background: %3; border-bottom: 1px solid %1; }
+    QLineEdit#entryField { font-size: 110%; padding: 0.3em 0.5em; }
+    QFrame#suggestions { border: 1px solid %1; border-radius: 4px; background: %3; }
+    QFrame#suggestions QTreeView { border: none; background: transparent; }
+    QFrame#suggestions QTreeView::item { padding: 0.25em 0.5em; }
+    QFrame#suggestions QTreeView::item:selected { background: %5; color: %6; }
+    QLabel#entrySentence { color: %2; padding: 0.35em 0.6em; }
+    QLabel#entrySentence[wrong="true"] { color: %4; }
+    QTreeView#entryList { border: 1px solid %1; border-radius: 4px; }
+    QTreeView#entryList::item { padding: 0.2em 0; }
+    QTreeView#entryList::item:selected { background: %5; color: %6; }
     QListWidget#lessonList::item:selected { background: %5; color: %6; }
     QScrollBar { background: transparent; }
     QScrollBar:vertical { width: 0.75em; }

@@ -20,6 +20,11 @@ void MarkHighlights::setFragment(const std::set<std::string> &marks) {
   show();
 }
 
+void MarkHighlights::setSelected(const std::set<std::string> &marks) {
+  m_selected = marks;
+  show();
+}
+
 void MarkHighlights::hover(const QString &markId) {
   m_mark = markId;
   emit markHovered(markId);
@@ -31,6 +36,7 @@ void MarkHighlights::show() {
   if (!m_mark.isEmpty())
     marks.insert(m_mark.toStdString());
   marks.insert(m_fragment.begin(), m_fragment.end());
+  marks.insert(m_selected.begin(), m_selected.end());
   m_working.setHighlighted(marks);
   m_flat.setHighlighted(marks);
   m_drawn.setHighlighted(marks);

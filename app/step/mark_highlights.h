@@ -14,7 +14,7 @@ class SceneView;
 class StepWorking;
 
 /// Highlights the mark that the pointer is on, wherever it is, the marks of a fragment that it is on, and
-/// those that the traced number came from.
+/// those that the traced number came from, and what is selected.
 class MarkHighlights : public QObject {
   Q_OBJECT
 public:
@@ -23,6 +23,8 @@ public:
 
   /// The pointer is on a fragment with these marks; none: on no fragment.
   void setFragment(const std::set<std::string> &marks);
+  /// These marks are selected, as long as no others are.
+  void setSelected(const std::set<std::string> &marks);
 
 signals:
   void markHovered(const QString &markId); ///< before it stands out; empty: none
@@ -36,6 +38,7 @@ private:
   StepWorking &m_working;
   QString m_mark; ///< that the pointer is on
   std::set<std::string> m_fragment;
+  std::set<std::string> m_selected;
 };
 
 } // namespace halfspace

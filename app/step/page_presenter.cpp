@@ -26,6 +26,7 @@ PagePresenter::PagePresenter(SessionModel &model, LessonPage &page, WorkingPract
 void PagePresenter::showLesson() {
   m_glossary = Glossary(m_model.library());
   m_page.setLesson(m_model.lesson());
+  m_practice.offerNewNumbers(!isExplore(m_model)); // a scene of one's own keeps its numbers
   const Lesson *next = nextLesson();
   m_page.setNextLesson(next ? QString::fromStdString(next->title) : QString());
 }

@@ -33,6 +33,7 @@ public:
   [[nodiscard]] StepTurner &turner() { return m_turner; }
   [[nodiscard]] PagePresenter &page() { return m_page; }
   [[nodiscard]] FlightPresenter &flight() { return m_flight; }
+  [[nodiscard]] MarkHighlights &highlights() { return m_highlights; }
 
 private:
   void showStep();

@@ -5,6 +5,8 @@
 #include "app/work/save_dialog.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
+#include "lessons/lesson/explore.h"
+#include "lessons/lesson/lesson_start.h"
 #include "lessons/scene/file/large_meshes.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/file/shape_text.h"
@@ -53,6 +55,11 @@ void SessionFiles::startWith(const Session &session, std::shared_ptr<const Known
   m_file = std::move(file);
   m_model.startWith(session);
   emit changed();
+}
+
+void SessionFiles::startNew() {
+  if (mayLeave())
+    startWith(startOf(exploreLesson()));
 }
 
 void SessionFiles::open(const QString &file) {

@@ -24,6 +24,8 @@ public:
 
   /// Starts with a session; `file` is where Save writes it (null: Save asks).
   void startWith(const Session &session, std::shared_ptr<const KnownFile> file = {});
+  /// Starts with an empty scene in Explore, once the session may be left.
+  void startNew();
   /// Opens a .halfspace file, the .md file of a lesson, or a picture that carries a session, which is no file
   /// for Save to write; on failure says why and leaves the session as it is.
   void open(const QString &file);

@@ -14,7 +14,6 @@ Lesson madeLesson() {
   lesson.id = exploreId;
   lesson.title = words("Explore");
   lesson.camera = usualView;
-  lesson.steps = {stepShowing({})};
   return lesson;
 }
 
@@ -31,7 +30,7 @@ LessonStep stepShowing(const std::vector<std::string> &constructions) {
     lines.ids.push_back(name + ".*");
   if (lines.ids.empty())
     lines.ids.emplace_back(noLines);
-  LessonStep step{words("Your own scene"), {std::move(lines)}};
+  LessonStep step{{}, {std::move(lines)}};
   step.drawsAll = true;
   return step;
 }

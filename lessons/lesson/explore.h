@@ -8,10 +8,11 @@ namespace halfspace {
 /// The id that sessions have in it.
 inline constexpr const char *exploreId = "explore";
 
-/// It begins empty, and is in no folder: every library knows it.
+/// It begins empty, has no steps, and is in no folder: every library knows it.
 [[nodiscard]] const Lesson &exploreLesson();
 
-/// Its step: all of the scene, with the lines of these constructions; of none, no lines.
+/// What is shown of it in the place of a step: all of the scene, with the lines of these constructions; of
+/// none, no lines.
 [[nodiscard]] LessonStep stepShowing(const std::vector<std::string> &constructions);
 
 } // namespace halfspace

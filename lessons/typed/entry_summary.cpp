@@ -6,6 +6,8 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/typed/write_line.h"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -32,18 +34,31 @@ std::string objectText(const Given<Object> &given) {
   return given.object.shape() ? std::string() : coordinatesText(given);
 }
 
-/// The first number, or list of numbers, that a construction tells in its case.
-std::string firstValue(const Outcome &outcome) {
+/// The value that goes by the construction's own name or word, `signed_distance` or `distance`; where its
+/// case has none such, the first that stands in its lines.
+std::string mainValue(const Outcome &outcome, const Construction &construction) {
+  std::string named(construction.id);
+  std::replace(named.begin(), named.end(), '-', '_'); // as the eval format writes names
+  std::string first;
   for (const NamedValue &value : *outcome.values)
-    if (const auto *letter = std::get_if<Term>(&value.label))
-      return equation(*letter);
-  return {};
+    if (const auto *letter = std::get_if<Term>(&value.label)) {
+      if (value.name == named || value.name == construction.word)
+        return equation(*letter);
+      if (first.empty())
+        first = equation(*letter);
+    }
+  return first;
 }
 
-/// Whether the numbers of an object stand in its definition already.
-bool tellsItself(const Entry &entry) {
+/// What stands behind the name and its sign.
+std::string definitionIn(const std::string &line) { return line.substr(line.find_first_of("=:") + 2); }
+
+/// Whether the numbers of an object stand in its line already, a plane's equation too.
+bool tellsItself(const Entry &entry, const std::string &line) {
   const auto *object = std::get_if<Object>(&entry.content);
-  return object && !isBound(entry) && kindOf(*object) != PlaneObject::kind;
+  if (!object || isBound(entry))
+    return false;
+  return object->shape() || kindOf(*object) != PlaneObject::kind || line[entry.name.size()] == ':';
 }
 
 } // namespace
@@ -56,11 +71,12 @@ EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char de
   EntrySummary summary;
   const std::string line = lineFor(entry, decimalMark);
   const Kind *kind = kindOf(entry);
-  summary.definition = !line.empty() ? line.substr(entry.name.size() + 3) : std::string(kind->noun()); // “ = ”
+  summary.definition = !line.empty() ? definitionIn(line) : kind->noun();
   const EvaluatedEntry *evaluated = evaluation.find(entry.name);
-  if (!evaluated || !evaluated->missing.empty() || tellsItself(entry))
+  if (!evaluated || !evaluated->missing.empty() || tellsItself(entry, line))
     return summary;
-  summary.value = kind ? valueOf(evaluated->offers.front()) : firstValue(*evaluated->outcome);
+  summary.value = kind ? valueOf(evaluated->offers.front())
+                       : mainValue(*evaluated->outcome, *findConstruction(evaluated->construction));
   return summary;
 }
 

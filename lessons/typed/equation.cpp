@@ -115,6 +115,29 @@ std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formu
   return PlaneObject{pointOn(normal, -*constant), normal};
 }
 
+std::optional<PlaneEquation> equationFor(const PlaneObject &plane) {
+  if (isZero(plane.normal))
+    return {};
+  std::optional<Formula> left;
+  for (std::size_t axis = 0; axis < unknowns.size(); ++axis) {
+    const Rational &factor = plane.normal[static_cast<int>(axis)];
+    if (factor == 0)
+      continue;
+    const bool isSubtracted = left && factor < 0;
+    const Rational size = isSubtracted ? Rational(-factor) : factor;
+    const Formula unknown{FormulaKind::Name, {}, std::string(unknowns.at(axis))};
+    Formula term =
+        size == 1 ? unknown : Formula{FormulaKind::Product, {}, {}, {{FormulaKind::Number, size}, unknown}};
+    if (left)
+      term = {isSubtracted ? FormulaKind::Difference : FormulaKind::Sum, {}, {}, {*left, std::move(term)}};
+    left = std::move(term);
+  }
+  PlaneEquation equation{*left, {FormulaKind::Number, dot(plane.normal, plane.point)}};
+  const auto again = planeOf(equation.left, equation.right);
+  const auto *read = std::get_if<PlaneObject>(&again);
+  return read && *read == plane ? std::optional(std::move(equation)) : std::nullopt;
+}
+
 std::optional<ParametricLine> parametricOf(const Formula &formula,
                                            const std::function<bool(const std::string &)> &isUnknown) {
   if (formula.kind != FormulaKind::Sum && formula.kind != FormulaKind::Difference)

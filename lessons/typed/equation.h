@@ -10,6 +10,14 @@ namespace halfspace {
 /// where one such has them. Or what keeps it from being one.
 [[nodiscard]] std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right);
 
+/// The equation of a plane, its left and its right side: n·x = n·P0.
+struct PlaneEquation {
+  Formula left;
+  Formula right;
+};
+/// That from which `planeOf` makes the same plane; nothing for one that is told by another point.
+[[nodiscard]] std::optional<PlaneEquation> equationFor(const PlaneObject &plane);
+
 /// A + t v: a point, a vector, and what the parameter is called.
 struct ParametricLine {
   Formula start;

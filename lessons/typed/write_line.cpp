@@ -4,8 +4,10 @@
 #include "lessons/formula/read_formula.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/vector.h"
+#include "lessons/typed/equation.h"
 #include "lessons/typed/scene_names.h"
 
 namespace halfspace {
@@ -18,10 +20,12 @@ public:
       : m_entry(entry), m_mark(decimalMark), m_separator(decimalMark == ',' ? "; " : ", ") {}
 
   std::string write() const {
+    if (const auto *object = std::get_if<Object>(&m_entry.content))
+      if (const auto plane = objectAs<PlaneObject>(*object))
+        if (const auto equation = equationFor(*plane))
+          return m_entry.name + ": " + text(equation->left) + " = " + text(equation->right) + lookText();
     const std::string content = contentText();
-    if (content.empty())
-      return {};
-    return m_entry.name + " = " + content + lookText();
+    return content.empty() ? content : m_entry.name + " = " + content + lookText();
   }
 
 private:

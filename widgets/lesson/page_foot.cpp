@@ -38,6 +38,9 @@ PageFoot::PageFoot()
 void PageFoot::setSteps(const QStringList &titles) {
   m_stepCount = static_cast<int>(titles.size());
   m_dots->setSteps(titles);
+  for (QWidget *part :
+       {static_cast<QWidget *>(m_back), static_cast<QWidget *>(m_dots), static_cast<QWidget *>(m_next)})
+    part->setVisible(m_stepCount > 0);
 }
 
 void PageFoot::setStep(int step) {

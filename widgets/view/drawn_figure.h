@@ -28,6 +28,8 @@ public:
   /// The marks that stand out, as those that are hovered here or in a line.
   void setHighlighted(const std::set<std::string> &markIds);
   [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
+  /// Marks that would be there, shown besides; in units of the scene.
+  void setGhosts(std::vector<Mark> ghosts);
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   [[nodiscard]] bool areNumbersHidden() const { return m_areNumbersHidden; }
@@ -54,6 +56,7 @@ private:
   Stage m_stage; ///< the model's, that the figure is on
   Figure m_figure;
   std::set<std::string> m_highlighted;
+  std::vector<Mark> m_ghosts;
   bool m_areNumbersHidden = false;
   MarkFade m_fade;
   ExtentGlide m_extents;

@@ -90,6 +90,11 @@ std::string SceneHandles::markOf(const Handle &handle) const {
   return fullName(m_model.session().scene, {handle.object, handle.coordinate});
 }
 
+std::string SceneHandles::markAt(glm::dvec2 pixel) const {
+  const auto [handle, part] = touchedAt(pixel);
+  return handle ? markOf(*handle) : part ? markOf(*m_selection.selected()) : m_markAt(pixel);
+}
+
 void SceneHandles::hover(glm::dvec2 pixel) {
   const auto [handle, part] = touchedAt(pixel);
   const std::string id = handle ? handle->id : std::string();

@@ -36,6 +36,8 @@ public:
   /// The selected handle moves up and down when it is grabbed, or in x and y again.
   void switchDirection() { m_selection.switchDirection(); }
 
+  /// The id of the mark at a pixel, or of that of the handle there; empty for none.
+  [[nodiscard]] std::string markAt(glm::dvec2 pixel) const;
   /// What lies under the pointer now.
   void hover(glm::dvec2 pixel);
   /// A handle, and how a press grabs it.

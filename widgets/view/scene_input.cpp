@@ -137,10 +137,15 @@ void SceneInput::movePicture(const QPointF &way) {
 void SceneInput::release(const QMouseEvent &event) {
   if (event.button() != m_press.button)
     return;
-  const bool isClickBeside = m_gesture == Gesture::Turn && !m_press.hasMoved;
+  const bool isClick = event.button() == Qt::LeftButton && !m_press.hasMoved;
+  const bool isClickBeside = isClick && m_gesture == Gesture::Turn;
+  const QString mark =
+      isClick ? QString::fromStdString(m_handles.markAt(m_screen.pixelAt(m_press.place))) : QString();
   finish();
   if (isClickBeside)
     dismiss();
+  if (isClick)
+    emit clicked(mark, event.modifiers() & Qt::ControlModifier);
 }
 
 void SceneInput::finish() {

@@ -29,6 +29,9 @@ public:
 
 signals:
   void dismissed(); ///< Escape, or a click beside the handles, while nothing is dragged
+  /// The left button was pressed and released in one place: on this mark, or on none (empty). `adds` with
+  /// Ctrl.
+  void clicked(const QString &markId, bool adds);
 
 protected:
   bool eventFilter(QObject *watched, QEvent *event) override;

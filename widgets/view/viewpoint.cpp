@@ -148,6 +148,13 @@ void Viewpoint::takeStage() {
   emit changed();
 }
 
+void Viewpoint::takeGrown() {
+  if (!m_isAtHome || m_model.history().inGesture())
+    return;
+  showAll();
+  emit changed();
+}
+
 void Viewpoint::noticeTyped(const std::vector<Place> &places) {
   if (places.empty())
     return;

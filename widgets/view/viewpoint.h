@@ -59,6 +59,8 @@ public:
   /// Looks at the same part of the scene where the model's stage is another one, with all of it in view.
   void takeStage();
 
+  /// There is more in the figure, or less: at home all of it stays in view.
+  void takeGrown();
   /// What was typed put something to these places, with the view as it is.
   void noticeTyped(const std::vector<Place> &places);
   /// Whether one of them is out of view, and nobody has chosen another view since.

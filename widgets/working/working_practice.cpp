@@ -121,6 +121,8 @@ void WorkingPractice::choose(Fading fading) {
   emit blanksChanged();
 }
 
+void WorkingPractice::offerNewNumbers(bool offered) { m_newNumbers->setVisible(offered); }
+
 void WorkingPractice::renewNumbers() {
   m_practice.forgetLines();
   m_blocks.forgetAnswers(); // they were about the other numbers

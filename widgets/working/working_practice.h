@@ -26,6 +26,9 @@ public:
   /// a question goes before.
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn, bool hidden);
 
+  /// Whether there are other numbers to work with.
+  void offerNewNumbers(bool offered);
+
   /// Whether some lines ask to be filled in.
   [[nodiscard]] bool hasBlanks() const { return !m_practice.fade().gaps.empty(); }
 

@@ -1,0 +1,123 @@
+#include "app/explore/explore_presenter.h"
+
+#include "app/panels/scene_column.h"
+#include "app/panels/window_panels.h"
+#include "app/step/mark_highlights.h"
+#include "lessons/scene/object_of_mark.h"
+#include "widgets/explore/explore_panel.h"
+#include "widgets/explore/fits_box.h"
+#include "widgets/view/scene_view.h"
+
+#include <QGuiApplication>
+#include <QMenu>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+
+ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, MarkHighlights &highlights,
+                                   QObject *parent)
+    : QObject(parent), m_model(model), m_panels(panels), m_highlights(highlights),
+      m_selection(panels.explore().selection()) {
+  SceneView &view = panels.scene().view();
+  connect(&model, &SessionModel::lessonChanged, this, &ExplorePresenter::takeLesson);
+  connect(&model, &SessionModel::outcomeChanged, this, &ExplorePresenter::takeScene);
+  connect(&m_selection, &SceneSelection::changed, this, &ExplorePresenter::showSelection);
+  connect(&view.input(), &SceneInput::clicked, this, &ExplorePresenter::choose);
+  connect(&view.handles(), &SceneHandles::selectionChanged, this, &ExplorePresenter::takeHandle);
+  connect(&panels.explore().list(), &EntryList::menuShown, this, &ExplorePresenter::addPin);
+  connect(&panels.explore().fits(), &FitsBox::previewed, &view.drawn(), &DrawnFigure::setGhosts);
+  takeLesson();
+}
+
+void ExplorePresenter::takeLesson() {
+  m_pinned.clear();
+  m_selection.set({});
+  m_panels.explore().setVisible(isExplore(m_model));
+  showWorkings();
+}
+
+void ExplorePresenter::takeScene() {
+  const Scene &scene = m_model.session().scene;
+  std::vector<std::string> ids = m_selection.ids();
+  std::erase_if(ids, [&](const std::string &id) { return !scene.entries.find(ownerOf(id)); });
+  std::erase_if(m_pinned, [&](const std::string &name) { return !scene.entries.find(name); });
+  if (ids == m_selection.ids())
+    showWorkings(); // of others, where the last construction is another one
+  m_selection.set(std::move(ids));
+  if (isExplore(m_model) && std::exchange(m_entries, scene.entries.size()) != scene.entries.size())
+    m_panels.scene().view().viewpoint().takeGrown();
+}
+
+void ExplorePresenter::choose(const QString &mark, bool adds) {
+  const std::string id = objectOfMark(m_model.evaluation(), mark.toStdString());
+  if (adds && !id.empty())
+    m_selection.toggle(id);
+  else if (!adds)
+    m_selection.set(id.empty() ? std::vector<std::string>() : std::vector{id});
+}
+
+void ExplorePresenter::takeHandle() {
+  // A click of the mouse is told by what it clicked on.
+  const auto selected = m_panels.scene().view().handles().selectedCoordinate();
+  if (selected && QGuiApplication::mouseButtons() == Qt::NoButton && !m_selection.contains(selected->object))
+    m_selection.set({selected->object});
+}
+
+void ExplorePresenter::showSelection() {
+  std::set<std::string> marks;
+  for (const Mark &mark : m_model.figure().marks)
+    if (m_selection.contains(objectOfMark(m_model.evaluation(), baseOf(mark).id)))
+      marks.insert(baseOf(mark).id);
+  m_highlights.setSelected(isExplore(m_model) ? marks : std::set<std::string>());
+  selectHandle();
+  showWorkings();
+}
+
+void ExplorePresenter::selectHandle() {
+  SceneHandles &handles = m_panels.scene().view().handles();
+  const auto selected = handles.selectedCoordinate();
+  const std::string object = m_selection.ids().size() == 1 ? m_selection.ids().front() : std::string();
+  if (!isExplore(m_model) || (selected ? selected->object : std::string()) == object)
+    return;
+  const std::vector<Handle> &all = handles.selection().handles();
+  const auto first =
+      std::find_if(all.begin(), all.end(), [&](const Handle &handle) { return handle.object == object; });
+  handles.select(first == all.end() ? std::string() : first->id);
+}
+
+void ExplorePresenter::showWorkings() {
+  if (!isExplore(m_model))
+    return;
+  const Evaluation &evaluation = m_model.evaluation();
+  std::vector<std::string> shown;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    if (entry.isConstruction() &&
+        (m_pinned.contains(entry.name) ||
+         std::any_of(m_selection.ids().begin(), m_selection.ids().end(),
+                     [&](const std::string &id) { return ownerOf(id) == entry.name; })))
+      shown.push_back(entry.name);
+  if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.empty())
+    shown.push_back(last->name);
+  m_model.showWorkings(shown);
+}
+
+void ExplorePresenter::addPin(QMenu &menu, const QString &name) {
+  const std::string entry = name.toStdString();
+  const EvaluatedEntry *evaluated = m_model.evaluation().find(entry);
+  if (!evaluated || !evaluated->isConstruction())
+    return;
+  QAction *pin = menu.addAction(tr("&Keep Its Working on the Page"));
+  pin->setCheckable(true);
+  pin->setChecked(m_pinned.contains(entry));
+  connect(pin, &QAction::triggered, this, [this, entry](bool on) {
+    if (on)
+      m_pinned.insert(entry);
+    else
+      m_pinned.erase(entry);
+    showWorkings();
+  });
+}
+
+} // namespace halfspace

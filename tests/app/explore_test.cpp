@@ -1,0 +1,259 @@
+// Explore in a real window: lines that are typed, the list of the scene, one selection for all, what fits.
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/typed/write_line.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/explore/entry_bar.h"
+#include "widgets/explore/entry_list.h"
+#include "widgets/explore/explore_panel.h"
+#include "widgets/explore/fits_box.h"
+#include "widgets/scene_selection.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeWidget>
+
+using namespace halfspace;
+
+namespace {
+
+class ExploreFixture : public WindowFixture {
+public:
+  ExploreFixture() : WindowFixture("explore") {}
+
+  EntryBar &bar() { return *window.findChild<EntryBar *>(); }
+  EntryField &field() { return *window.findChild<EntryField *>(); }
+  EntryList &list() { return *window.findChild<EntryList *>(); }
+  FitsBox &fits() { return *window.findChild<FitsBox *>(); }
+  SceneSelection &selection() { return window.findChild<ExplorePanel *>()->selection(); }
+  QTreeWidget &suggestions() {
+    return *window.findChild<QFrame *>("suggestions")->findChild<QTreeWidget *>();
+  }
+  QString sentence() { return window.findChild<QLabel *>("entrySentence")->text(); }
+
+  /// Types into the field, after what is there is gone, and enters it.
+  void enter(const QString &line) {
+    type(line);
+    QTest::keyClick(&field(), Qt::Key_Return);
+  }
+  void type(const QString &line) {
+    field().setFocus();
+    field().selectAll();
+    QTest::keyClicks(&field(), line);
+  }
+  /// The scene as somebody would type it.
+  QStringList scene() {
+    QStringList lines;
+    for (const Entry &entry : model().session().scene.entries)
+      lines << QString::fromStdString(lineFor(entry));
+    return lines;
+  }
+  QModelIndex row(const std::string &id, int column = 0) {
+    const auto *rows = static_cast<EntryRows *>(list().model());
+    return rows->index(rows->rowOf(id), column);
+  }
+  void clickRow(const std::string &id, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, list().visualRect(row(id, 1)).center());
+  }
+  QPushButton *fit(const QString &text) {
+    QCoreApplication::sendPostedEvents();
+    for (QPushButton *button : fits().findChildren<QPushButton *>("fit"))
+      if (button->text() == text)
+        return button;
+    return nullptr;
+  }
+  /// Where a mark of the picture is that is a point.
+  QPoint placeOf(const std::string &id) {
+    const auto *point = std::get_if<PointMark>(findMark(WindowFixture::scene().drawn().figure(), id));
+    return pixelOf(point->at);
+  }
+};
+
+const QStringList distanceLines{"Q = (11, 15, 8)", "E: x + 2y + 2z = 27", "d = distance(Q, E)"};
+
+} // namespace
+
+class ExploreTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() { forgetStarts(); }
+
+  void newFromALesson_isAnEmptyScene_withTheFieldAndTheList() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    auto *bar = fixture.window.findChild<EntryBar *>();
+    auto *panel = fixture.window.findChild<ExplorePanel *>();
+    QVERIFY(!bar->isVisible() && !panel->isVisible());
+    fixture.action(QKeySequence::New)->trigger();
+    QCOMPARE(fixture.model().session().lesson, std::string("explore"));
+    QCOMPARE(fixture.model().session().scene.entries.size(), std::size_t(0));
+    QVERIFY(bar->isVisible() && panel->isVisible());
+  }
+
+  void linesEntered_areTheScene_andTheirWorkingIsShown() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const QString &line : distanceLines)
+      fixture.enter(line);
+    QCOMPARE(fixture.scene(),
+             (QStringList{"Q = (11, 15, 8)", "E: x + 2y + 2z = 27", "d = signed-distance(E, Q)"}));
+    QCOMPARE(fixture.field().text(), QString());
+    QCOMPARE(fixture.selection().ids(), (std::vector<std::string>{"d"}));
+    QVERIFY(!fixture.model().shown().working.lines.empty());
+    QCOMPARE(fixture.row("d", EntryRows::Value).data().toString(), QString("signed distance = 10"));
+    fixture.model().history().undo();
+    QCOMPARE(fixture.scene().size(), 2);
+  }
+
+  void wrongLine_staysWithItsFault_andEnterTakesTheMend() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("Q = (11, 15, 8)");
+    fixture.enter("E: x + 2y + 2z = 27");
+    fixture.enter("d = distanc(Q, E)");
+    QCOMPARE(fixture.field().text(), QString("d = distanc(Q, E)"));
+    QCOMPARE(fixture.sentence(), QString("There is no “distanc”."));
+    QVERIFY(fixture.field().fault());
+    QCOMPARE(fixture.field().fault()->begin, 4);
+    QCOMPARE(fixture.field().fault()->length, 7);
+    QCOMPARE(fixture.suggestions().topLevelItem(0)->text(0), QString("d = distance(Q, E)"));
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.scene().last(), QString("d = signed-distance(E, Q)"));
+  }
+
+  void takenName_ofALine_leavesTheSceneAsItWas() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("Q = (11, 15, 8)");
+    fixture.enter("Q = (1, 2, 3)");
+    QCOMPARE(fixture.scene(), (QStringList{"Q = (11, 15, 8)"}));
+    QCOMPARE(fixture.sentence(), QString("There is “Q” already."));
+  }
+
+  void upInTheField_bringsEarlierLines() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 3)");
+    fixture.enter("B = (4, 5, 6)");
+    fixture.field().setFocus();
+    QTest::keyClick(&fixture.field(), Qt::Key_Up);
+    QCOMPARE(fixture.field().text(), QString("B = (4, 5, 6)"));
+    QTest::keyClick(&fixture.field(), Qt::Key_Up);
+    QCOMPARE(fixture.field().text(), QString("A = (1, 2, 3)"));
+    QTest::keyClick(&fixture.field(), Qt::Key_Down);
+    QCOMPARE(fixture.field().text(), QString("B = (4, 5, 6)"));
+  }
+
+  void wordsOfAMenu_areFoundAndDone() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.type("theme dark");
+    QCOMPARE(fixture.suggestions().topLevelItemCount(), 1);
+    QCOMPARE(fixture.suggestions().topLevelItem(0)->text(0), QString("View: Theme: Dark"));
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.window.look().theme().name, std::string("dark"));
+    QCOMPARE(fixture.scene(), QStringList());
+  }
+
+  void lettersTypedInThePicture_beginALine() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.WindowFixture::scene().setFocus();
+    QTest::keyClicks(&fixture.WindowFixture::scene(), "Q");
+    QCOMPARE(fixture.field().text(), QString("Q"));
+    QVERIFY(fixture.field().hasFocus());
+    QTest::keyClicks(&fixture.field(), " = (1, 2, 3)");
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.scene(), (QStringList{"Q = (1, 2, 3)"}));
+  }
+
+  void entryInTheList_isEditedAsItsLine_andWhatHangsOnItFollows() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const QString &line : distanceLines)
+      fixture.enter(line);
+    QTest::mouseDClick(fixture.list().viewport(), Qt::LeftButton, {},
+                       fixture.list().visualRect(fixture.row("Q", 1)).center());
+    QCOMPARE(fixture.field().text(), QString("Q = (11, 15, 8)"));
+    fixture.field().setText("P = (2, 15, 8)");
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.scene(),
+             (QStringList{"P = (2, 15, 8)", "E: x + 2y + 2z = 27", "d = signed-distance(E, P)"}));
+  }
+
+  void deleteInTheList_takesAlongWhatHangsOnIt_andOneUndoBringsAllBack() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const QString &line : distanceLines)
+      fixture.enter(line);
+    const QStringList before = fixture.scene();
+    fixture.clickRow("E");
+    QTest::keyClick(&fixture.list(), Qt::Key_Delete);
+    QCOMPARE(fixture.scene(), (QStringList{"Q = (11, 15, 8)"}));
+    QVERIFY(fixture.window.findChild<QLabel *>("message")->text().contains("d"));
+    fixture.model().history().undo();
+    QCOMPARE(fixture.scene(), before);
+  }
+
+  void checkBoxOfARow_hidesTheEntry_andShowsItAgain() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("Q = (11, 15, 8)");
+    auto *rows = fixture.list().model();
+    rows->setData(fixture.row("Q"), Qt::Unchecked, Qt::CheckStateRole);
+    QCOMPARE(fixture.scene(), (QStringList{"Q = (11, 15, 8), hidden"}));
+    QVERIFY(!findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
+    rows->setData(fixture.row("Q"), Qt::Checked, Qt::CheckStateRole);
+    QVERIFY(findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
+  }
+
+  void clickInThePicture_selectsTheRow_andARowItsHandle() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (4, 0, 1)");
+    fixture.enter("B = (0, 6, 2)");
+    QTest::qWait(50);
+    const QPoint place = fixture.placeOf("A");
+    fixture.press(place);
+    fixture.release();
+    QCOMPARE(fixture.selection().ids(), (std::vector<std::string>{"A"}));
+    QVERIFY(fixture.list().selectionModel()->isRowSelected(fixture.row("A").row(), {}));
+    fixture.clickRow("B");
+    QCOMPARE(fixture.WindowFixture::scene().handles().selection().selectedId(), std::string("B"));
+  }
+
+  void twoSelected_offerWhatFits_andOneClickAddsIt() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("Q = (11, 15, 8)");
+    fixture.enter("E: x + 2y + 2z = 27");
+    fixture.clickRow("Q");
+    fixture.clickRow("E", Qt::ControlModifier);
+    QCOMPARE(fixture.selection().ids(), (std::vector<std::string>{"Q", "E"}));
+    QPushButton *distance = fixture.fit("signed distance");
+    QVERIFY(distance);
+    QTest::mouseClick(distance, Qt::LeftButton);
+    QCoreApplication::processEvents();
+    QCOMPARE(fixture.scene().last().section(" = ", 1), QString("signed-distance(E, Q)"));
+  }
+
+  void lineTypedInALesson_leadsToExplore_andLeavesTheLesson() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Scene lesson = fixture.model().session().scene;
+    fixture.action(QKeySequence("Ctrl+K"))->trigger();
+    auto *field = fixture.window.findChild<EntryField *>();
+    QVERIFY(field->hasFocus());
+    QTest::keyClicks(field, "M = (1, 2, 3)");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(fixture.model().session().lesson, std::string("explore"));
+    QCOMPARE(fixture.model().session().scene.entries.size(), lesson.entries.size() + 1);
+    fixture.model().openLesson("signed-distance");
+    QVERIFY(fixture.model().session().scene == lesson);
+  }
+};
+
+QTEST_MAIN(ExploreTest)
+#include "explore_test.moc"

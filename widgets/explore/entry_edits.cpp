@@ -1,0 +1,99 @@
+#include "widgets/explore/entry_edits.h"
+
+#include "widgets/picture/hand/label_hand.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+QString text(const std::string &name) { return QString::fromStdString(name); }
+
+QString listed(const std::vector<std::string> &names) {
+  QStringList list;
+  for (const std::string &name : names)
+    list << text(name);
+  return list.join(", ");
+}
+
+} // namespace
+
+bool EntryEdits::edit(const std::vector<Edit> &edits, const QString &description) {
+  const QString refused = m_model.history().editTogether(edits, description);
+  if (!refused.isEmpty())
+    emit told(refused);
+  return refused.isEmpty();
+}
+
+Entry EntryEdits::entryNamed(const std::string &name) const {
+  return *m_model.session().scene.entries.find(name);
+}
+
+bool EntryEdits::add(const Entry &entry) {
+  return edit({AddEntry{m_model.session().scene.entries.size(), entry}}, tr("Add %1").arg(text(entry.name)));
+}
+
+bool EntryEdits::replace(const std::string &name, const Entry &entry) {
+  return edit({ReplaceEntry{name, entry}}, tr("Change %1").arg(text(name)));
+}
+
+void EntryEdits::rename(const std::string &name, const std::string &newName) {
+  edit({RenameEntry{name, newName}}, tr("Call %1 %2").arg(text(name), text(newName)));
+}
+
+void EntryEdits::remove(const std::vector<std::string> &names) {
+  std::vector<Edit> edits;
+  std::vector<std::string> gone;   // also with one above it
+  std::vector<std::string> others; // that nobody chose
+  for (const std::string &name : names) {
+    if (std::find(gone.begin(), gone.end(), name) != gone.end())
+      continue;
+    edits.emplace_back(RemoveEntry{name, true});
+    gone.push_back(name);
+    for (const std::string &dependent : dependentsOf(m_model.session().scene, name))
+      if (std::find(gone.begin(), gone.end(), dependent) == gone.end()) {
+        gone.push_back(dependent);
+        if (std::find(names.begin(), names.end(), dependent) == names.end())
+          others.push_back(dependent);
+      }
+  }
+  if (!edits.empty() && edit(edits, tr("Delete %1").arg(listed(names))) && !others.empty())
+    emit told(
+        tr("With %1 went what was made of it: %2. Undo brings all back.").arg(listed(names), listed(others)));
+}
+
+void EntryEdits::move(const std::string &name, int places) {
+  const auto &entries = m_model.session().scene.entries;
+  const int to = static_cast<int>(*entries.placeOf(name)) + places;
+  if (to >= 0 && to < static_cast<int>(entries.size()))
+    edit({MoveEntry{name, static_cast<std::size_t>(to)}}, tr("Move %1 in the list").arg(text(name)));
+}
+
+bool EntryEdits::changeLook(const Entry &changed, const QString &description) {
+  return edit({ReplaceEntry{changed.name, changed}}, description);
+}
+
+void EntryEdits::setHidden(const std::string &name, bool hidden) {
+  Entry entry = entryNamed(name);
+  entry.isHidden = hidden;
+  changeLook(entry, (hidden ? tr("Hide %1") : tr("Show %1")).arg(text(name)));
+}
+
+void EntryEdits::setLocked(const std::string &name, bool locked) {
+  Entry entry = entryNamed(name);
+  entry.isLocked = locked;
+  changeLook(entry, (locked ? tr("Lock %1") : tr("Unlock %1")).arg(text(name)));
+}
+
+void EntryEdits::setColor(const std::string &name, std::optional<Hue> color) {
+  Entry entry = entryNamed(name);
+  entry.color = color;
+  changeLook(entry, tr("Colour %1").arg(text(name)));
+}
+
+void EntryEdits::setLabelHidden(const std::string &name, bool hidden) {
+  edit({hideLabel(m_model.session().scene, name, hidden)},
+       (hidden ? tr("Hide the label of %1") : tr("Show the label of %1")).arg(text(name)));
+}
+
+} // namespace halfspace

@@ -1,0 +1,199 @@
+#include "widgets/explore/entry_list.h"
+
+#include "lessons/object/kind.h"
+#include "widgets/colors.h"
+#include "widgets/scene_selection.h"
+
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QPixmap>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// The side of a swatch of colour in a menu, in pixels.
+constexpr int swatchSize = 12;
+/// A name has room for so many letters at first.
+constexpr int lettersInName = 12;
+
+QIcon swatchOf(const QColor &color) {
+  QPixmap swatch(swatchSize, swatchSize);
+  swatch.fill(color);
+  return swatch;
+}
+
+/// What people call a colour.
+QString titleOf(Hue hue) {
+  switch (hue) {
+  case Hue::Grey:
+    return EntryList::tr("Grey");
+  case Hue::Blue:
+    return EntryList::tr("Blue");
+  case Hue::Orange:
+    return EntryList::tr("Orange");
+  case Hue::Yellow:
+    return EntryList::tr("Yellow");
+  case Hue::Green:
+    return EntryList::tr("Green");
+  case Hue::Purple:
+    return EntryList::tr("Purple");
+  case Hue::Pink:
+    return EntryList::tr("Pink");
+  case Hue::Red:
+    break;
+  }
+  return EntryList::tr("Red");
+}
+
+} // namespace
+
+EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent)
+    : QTreeView(parent), m_model(model), m_selection(selection), m_edits(edits),
+      m_rows(new EntryRows(model, this)), m_theme(themes().front()) {
+  setObjectName("entryList");
+  setAccessibleName(tr("What is in the scene"));
+  setModel(m_rows);
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setSelectionMode(ExtendedSelection);
+  setEditTriggers(EditKeyPressed);
+  header()->setStretchLastSection(true);
+  header()->resizeSection(EntryRows::Name, lettersInName * fontMetrics().averageCharWidth());
+  connect(&selection, &SceneSelection::changed, this, &EntryList::followSelection);
+  connect(m_rows, &EntryRows::modelReset, this, &EntryList::followSelection);
+  connect(this, &EntryList::doubleClicked, this, &EntryList::askForLine);
+  connect(m_rows, &EntryRows::renamed, &edits, [&edits](const QString &name, const QString &newName) {
+    edits.rename(name.toStdString(), newName.toStdString());
+  });
+  connect(m_rows, &EntryRows::hiddenChosen, &edits,
+          [&edits](const QString &name, bool hidden) { edits.setHidden(name.toStdString(), hidden); });
+}
+
+void EntryList::setTheme(const Theme &theme) {
+  m_theme = theme;
+  m_rows->setTheme(m_theme);
+}
+
+void EntryList::followSelection() {
+  m_isFollowing = true;
+  QItemSelection rows;
+  for (const std::string &id : m_selection.ids())
+    if (const int row = m_rows->rowOf(id); row >= 0)
+      rows.select(m_rows->index(row, 0), m_rows->index(row, EntryRows::columnCountOf - 1));
+  selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  if (!rows.isEmpty())
+    scrollTo(rows.last().topLeft());
+  m_isFollowing = false;
+}
+
+void EntryList::selectionChanged(const QItemSelection &selected, const QItemSelection &deselected) {
+  QTreeView::selectionChanged(selected, deselected);
+  if (m_isFollowing)
+    return;
+  // Those that stay keep their places in the order in which they were chosen.
+  std::vector<std::string> ids;
+  for (const std::string &id : m_selection.ids())
+    if (const int row = m_rows->rowOf(id); row >= 0 && selectionModel()->isRowSelected(row, {}))
+      ids.push_back(id);
+  for (const QModelIndex &index : selectionModel()->selectedRows())
+    if (const std::string &id = m_rows->idIn(index.row()); std::find(ids.begin(), ids.end(), id) == ids.end())
+      ids.push_back(id);
+  m_selection.set(std::move(ids));
+}
+
+std::vector<std::string> EntryList::selectedEntries() const {
+  std::vector<std::string> names;
+  for (const std::string &id : m_selection.ids())
+    if (m_model.session().scene.entries.find(id))
+      names.push_back(id);
+  return names;
+}
+
+std::string EntryList::currentEntry() const {
+  const std::vector<std::string> names = selectedEntries();
+  return names.size() == 1 ? names.front() : std::string();
+}
+
+void EntryList::askForLine(const QModelIndex &index) {
+  emit lineWanted(QString::fromStdString(ownerOf(m_rows->idIn(index.row()))));
+}
+
+void EntryList::keyPressEvent(QKeyEvent *event) {
+  const std::string name = currentEntry();
+  const bool isAlt = event->modifiers() & Qt::AltModifier;
+  if (event->key() == Qt::Key_Delete)
+    return m_edits.remove(selectedEntries());
+  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state() != EditingState &&
+      currentIndex().isValid())
+    return askForLine(currentIndex());
+  if (isAlt && !name.empty() && (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down))
+    return m_edits.move(name, event->key() == Qt::Key_Up ? -1 : 1);
+  QTreeView::keyPressEvent(event);
+}
+
+void EntryList::contextMenuEvent(QContextMenuEvent *event) {
+  QMenu menu(this);
+  fillMenu(menu);
+  if (!menu.isEmpty())
+    menu.exec(event->globalPos());
+}
+
+void EntryList::fillMenu(QMenu &menu) {
+  const std::vector<std::string> names = selectedEntries();
+  if (names.empty())
+    return;
+  if (const Entry *entry = m_model.session().scene.entries.find(currentEntry())) {
+    const std::string name = entry->name;
+    const QModelIndex place = m_rows->index(m_rows->rowOf(name), EntryRows::Name);
+    menu.addAction(tr("&Edit as a Line"), this, [this, place] { askForLine(place); });
+    menu.addAction(tr("&Rename"), this, [this, place] { edit(place); });
+    addToggles(menu, *entry);
+    addColorMenu(menu, *entry);
+    emit menuShown(menu, QString::fromStdString(name));
+    menu.addAction(tr("Move &Up"), &m_edits, [this, name] { m_edits.move(name, -1); });
+    menu.addAction(tr("Move &Down"), &m_edits, [this, name] { m_edits.move(name, 1); });
+    menu.addSeparator();
+  }
+  menu.addAction(tr("De&lete"), &m_edits, [this, names] { m_edits.remove(names); });
+}
+
+void EntryList::addToggles(QMenu &menu, const Entry &entry) {
+  if (!isDrawn(entry))
+    return;
+  const std::string name = entry.name;
+  const auto add = [&menu, this](const QString &text, bool isOn, auto slot) {
+    QAction *toggle = menu.addAction(text);
+    toggle->setCheckable(true);
+    toggle->setChecked(isOn);
+    connect(toggle, &QAction::triggered, &m_edits, slot);
+  };
+  add(tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
+  add(tr("La&bel"), !isLabelHidden(m_model.session().scene.labels, name),
+      [this, name](bool on) { m_edits.setLabelHidden(name, !on); });
+  if (std::holds_alternative<Object>(entry.content))
+    add(tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
+}
+
+void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
+  if (!kindOf(entry) || !isDrawn(entry))
+    return;
+  QMenu &colors = *menu.addMenu(tr("&Colour"));
+  const std::string name = entry.name;
+  const auto add = [&](const QString &text, const QIcon &icon, std::optional<Hue> hue) {
+    QAction *choice = colors.addAction(icon, text);
+    choice->setCheckable(true);
+    choice->setChecked(entry.color == hue);
+    connect(choice, &QAction::triggered, &m_edits, [this, name, hue] { m_edits.setColor(name, hue); });
+  };
+  add(tr("Automatic"), {}, {});
+  for (std::size_t i = 0; i < hueCount; ++i) {
+    const auto hue = static_cast<Hue>(i);
+    add(titleOf(hue), swatchOf(toQColor(m_theme.colorOf(hue))), hue);
+  }
+}
+
+} // namespace halfspace

@@ -1,0 +1,54 @@
+// The list of a scene's entries.
+#pragma once
+
+#include "widgets/explore/entry_edits.h"
+#include "widgets/explore/entry_rows.h"
+#include "widgets/picture/theme.h"
+
+#include <QTreeView>
+
+class QMenu;
+
+namespace halfspace {
+
+class SceneSelection;
+
+/// Shows the rows of a scene, shares its selection, and hands on what is done in it: a double click or Enter
+/// asks for the line of an entry, F2 for another name, Delete takes away, Alt with an arrow moves; the rest
+/// stands in the menu of the right button.
+class EntryList : public QTreeView {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  EntryList(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent = nullptr);
+
+  void setTheme(const Theme &theme);
+  /// What can be done with what is selected.
+  void fillMenu(QMenu &menu);
+
+signals:
+  void lineWanted(const QString &name);             ///< an entry is to be edited as it is typed
+  void menuShown(QMenu &menu, const QString &name); ///< of one entry: who can do more with it adds that
+
+protected:
+  void keyPressEvent(QKeyEvent *event) override;
+  void contextMenuEvent(QContextMenuEvent *event) override;
+  void selectionChanged(const QItemSelection &selected, const QItemSelection &deselected) override;
+
+private:
+  void followSelection();
+  [[nodiscard]] std::vector<std::string> selectedEntries() const;
+  [[nodiscard]] std::string currentEntry() const; ///< empty where none is
+  void askForLine(const QModelIndex &index);
+  void addColorMenu(QMenu &menu, const Entry &entry);
+  void addToggles(QMenu &menu, const Entry &entry);
+
+  SessionModel &m_model;
+  SceneSelection &m_selection;
+  EntryEdits &m_edits;
+  EntryRows *m_rows;
+  Theme m_theme;
+  bool m_isFollowing = false; ///< the selection is taken from the scene
+};
+
+} // namespace halfspace

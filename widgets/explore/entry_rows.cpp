@@ -1,0 +1,162 @@
+#include "widgets/explore/entry_rows.h"
+
+#include "lessons/language.h"
+#include "lessons/object/kind.h"
+#include "lessons/typed/entry_summary.h"
+#include "widgets/colors.h"
+#include "widgets/picture/theme.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// What an entry makes stands below it, a little to the right.
+constexpr const char *indent = "    ";
+
+bool isMade(const std::string &id) { return id.find('.') != std::string::npos; }
+
+const OfferedObject *findMade(const Evaluation &evaluation, const std::string &id) {
+  const EvaluatedEntry *maker = evaluation.find(ownerOf(id));
+  if (!maker)
+    return nullptr;
+  const std::string_view name = qualified(id).own;
+  const auto found = std::find_if(maker->offers.begin(), maker->offers.end(),
+                                  [&](const OfferedObject &each) { return each.name == name; });
+  return found == maker->offers.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> idsIn(const Evaluation &evaluation) {
+  std::vector<std::string> ids;
+  for (const EvaluatedEntry &entry : evaluation.entries) {
+    ids.push_back(entry.name);
+    if (entry.isConstruction())
+      for (const OfferedObject &made : entry.offers)
+        ids.push_back(entry.name + "." + made.name);
+  }
+  return ids;
+}
+
+} // namespace
+
+EntryRows::EntryRows(const SessionModel &model, QObject *parent)
+    : QAbstractTableModel(parent), m_model(model), m_theme(&themes().front()) {
+  connect(&model, &SessionModel::outcomeChanged, this, &EntryRows::takeScene);
+  takeScene();
+}
+
+void EntryRows::setTheme(const Theme &theme) {
+  m_theme = &theme;
+  takeScene();
+}
+
+void EntryRows::takeScene() {
+  std::vector<std::string> ids = idsIn(m_model.evaluation());
+  if (ids != m_ids) {
+    beginResetModel();
+    m_ids = std::move(ids);
+    endResetModel();
+  } else if (!m_ids.empty()) {
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCountOf - 1));
+  }
+}
+
+int EntryRows::rowOf(const std::string &id) const {
+  const auto found = std::find(m_ids.begin(), m_ids.end(), id);
+  return found == m_ids.end() ? -1 : static_cast<int>(found - m_ids.begin());
+}
+
+int EntryRows::rowCount(const QModelIndex &parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_ids.size());
+}
+
+int EntryRows::columnCount(const QModelIndex &parent) const { return parent.isValid() ? 0 : columnCountOf; }
+
+const Entry *EntryRows::entryIn(int row) const { return m_model.session().scene.entries.find(idIn(row)); }
+
+QVariant EntryRows::data(const QModelIndex &index, int role) const {
+  const Entry *entry = entryIn(index.row());
+  switch (role) {
+  case Qt::DisplayRole:
+    return textIn(index);
+  case Qt::EditRole:
+    return entry ? QVariant(QString::fromStdString(entry->name)) : QVariant();
+  case Qt::ToolTipRole:
+  case Qt::AccessibleDescriptionRole:
+    return tipIn(index.row());
+  case Qt::DecorationRole:
+    return index.column() == Name ? swatchIn(index.row()) : QVariant();
+  case Qt::CheckStateRole:
+    return index.column() == Name && entry && isDrawn(*entry)
+               ? QVariant(entry->isHidden ? Qt::Unchecked : Qt::Checked)
+               : QVariant();
+  default:
+    return {};
+  }
+}
+
+QString EntryRows::textIn(const QModelIndex &index) const {
+  const std::string &id = idIn(index.row());
+  const Evaluation &evaluation = m_model.evaluation();
+  if (const Entry *entry = entryIn(index.row())) {
+    if (index.column() == Name)
+      return QString::fromStdString(entry->name);
+    const EntrySummary summary = summaryOf(*entry, evaluation, language().decimalMark);
+    return QString::fromStdString(index.column() == Definition ? summary.definition : summary.value);
+  }
+  const OfferedObject *made = findMade(evaluation, id);
+  switch (index.column()) {
+  case Name:
+    return QString(indent) + QString::fromStdString(id);
+  case Definition:
+    return made ? QString::fromStdString(made->given->object.kind().noun()) : QString();
+  default:
+    return made ? QString::fromStdString(valueOf(*made)) : QString();
+  }
+}
+
+QString EntryRows::tipIn(int row) const {
+  const EvaluatedEntry *evaluated = m_model.evaluation().find(idIn(row));
+  if (!evaluated) {
+    const OfferedObject *made = findMade(m_model.evaluation(), idIn(row));
+    return made ? QString::fromStdString(made->whyNot) : QString();
+  }
+  if (evaluated->isConstruction() || !evaluated->missing.empty())
+    return QString::fromStdString(evaluated->outcome->told->description);
+  return QString::fromStdString(evaluated->looksAt.front()->object.kind().noun());
+}
+
+QVariant EntryRows::swatchIn(int row) const {
+  const Entry *entry = entryIn(row);
+  const EvaluatedEntry *evaluated = entry ? m_model.evaluation().find(entry->name) : nullptr;
+  if (!evaluated || evaluated->isConstruction())
+    return {};
+  const Given<Object> &given = *evaluated->looksAt.front();
+  const auto subject = given.object.kind().subject;
+  const auto hue = given.look.hue ? given.look.hue : subject ? std::optional(hueOf(*subject)) : std::nullopt;
+  return hue ? QVariant(toQColor(m_theme->colorOf(*hue))) : QVariant();
+}
+
+QVariant EntryRows::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role != Qt::DisplayRole || orientation != Qt::Horizontal)
+    return {};
+  return section == Name ? tr("Name") : section == Definition ? tr("What it is") : tr("Value");
+}
+
+Qt::ItemFlags EntryRows::flags(const QModelIndex &index) const {
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  if (index.isValid() && index.column() == Name && !isMade(idIn(index.row())))
+    flags |= Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
+  return flags;
+}
+
+bool EntryRows::setData(const QModelIndex &index, const QVariant &value, int role) {
+  const QString name = QString::fromStdString(idIn(index.row()));
+  if (role == Qt::CheckStateRole)
+    emit hiddenChosen(name, value.toInt() == Qt::Unchecked);
+  else if (role == Qt::EditRole && value.toString() != name)
+    emit renamed(name, value.toString().trimmed());
+  return false; // the row follows the scene
+}
+
+} // namespace halfspace

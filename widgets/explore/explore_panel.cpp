@@ -1,0 +1,48 @@
+#include "widgets/explore/explore_panel.h"
+
+#include "widgets/explore/fits_box.h"
+#include "widgets/scene_selection.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace halfspace {
+namespace {
+
+constexpr QMargins panelMargins(14, 10, 14, 6);
+
+} // namespace
+
+ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
+    : QWidget(parent), m_model(model), m_selection(new SceneSelection(this)),
+      m_edits(new EntryEdits(model, this)), m_list(new EntryList(model, *m_selection, *m_edits)),
+      m_fits(new FitsBox(model, *m_selection, *m_edits)), m_welcome(new QLabel) {
+  setObjectName("explorePanel");
+  m_welcome->setObjectName("exploreWelcome");
+  m_welcome->setTextFormat(Qt::RichText);
+  m_welcome->setWordWrap(true);
+  m_welcome->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_welcome->setText(
+      tr("<p><b>The scene is empty.</b> Type above it what is to be there, a line for each, as on paper:</p>"
+         "<pre>Q = (11, 15, 8)\nE: x + 2y + 2z = 27\nd = distance(Q, E)</pre>"
+         "<p>Then drag Q in the picture and watch the numbers. Each line that you have typed stands in a "
+         "list here, where you can change it.</p>"));
+  auto *column = new QVBoxLayout(this);
+  column->setContentsMargins(panelMargins);
+  column->addWidget(m_list, 1);
+  column->addWidget(m_fits);
+  column->addWidget(m_welcome, 1);
+  connect(&model, &SessionModel::outcomeChanged, this, &ExplorePanel::showScene);
+  showScene();
+}
+
+void ExplorePanel::setTheme(const Theme &theme) { m_list->setTheme(theme); }
+
+void ExplorePanel::showScene() {
+  const bool isEmpty = m_model.session().scene.entries.size() == 0;
+  m_list->setVisible(!isEmpty);
+  m_fits->setVisible(!isEmpty);
+  m_welcome->setVisible(isEmpty);
+}
+
+} // namespace halfspace

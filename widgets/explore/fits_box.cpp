@@ -1,0 +1,124 @@
+#include "widgets/explore/fits_box.h"
+
+#include "lessons/language.h"
+#include "lessons/object/kind.h"
+#include "lessons/typed/write_line.h"
+#include "widgets/explore/entry_edits.h"
+#include "widgets/flow_layout.h"
+#include "widgets/scene_selection.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace halfspace {
+namespace {
+
+constexpr int gap = 4;
+/// A button knows by this its place among the fits.
+constexpr const char *placeProperty = "fit";
+
+/// What an entry would be, in words: “signed distance”, “triangle”.
+QString titleOf(const Entry &entry) {
+  const Kind *kind = kindOf(entry);
+  QString title = kind ? QString::fromUtf8(kind->word.data(), static_cast<int>(kind->word.size()))
+                       : QString::fromStdString(std::get<ConstructionUse>(entry.content).id);
+  return title.replace('-', ' ');
+}
+
+QString nounFor(const WantedObject &wanted) { return QString::fromStdString(nounOf(wanted.kind)); }
+
+} // namespace
+
+FitsBox::FitsBox(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent)
+    : QWidget(parent), m_model(model), m_selection(selection), m_edits(edits), m_heading(new QLabel) {
+  setObjectName("fitsBox");
+  m_heading->setObjectName("heading");
+  m_heading->setTextFormat(Qt::PlainText);
+  m_heading->setWordWrap(true);
+  auto *column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(gap);
+  column->addWidget(m_heading);
+  connect(&selection, &SceneSelection::changed, this, &FitsBox::showFits);
+  connect(&model, &SessionModel::outcomeChanged, this, &FitsBox::showFits);
+  showFits();
+}
+
+void FitsBox::showFits() {
+  const Scene &scene = m_model.session().scene;
+  if (m_selection.ids() == m_shownFor && scene.entries.size() == m_entries && m_buttons)
+    return; // a drag changes numbers, not what fits
+  m_shownFor = m_selection.ids();
+  m_entries = scene.entries.size();
+  m_fits = isExplore(m_model) && !m_shownFor.empty() ? fitsFor(scene, m_shownFor) : std::vector<Fit>();
+  delete m_buttons;
+  m_buttons = new QWidget;
+  auto *flow = new FlowLayout(m_buttons);
+  flow->setSpacing(gap);
+  layout()->addWidget(m_buttons);
+  for (const Fit &fit : m_fits)
+    addButton(fit);
+  QStringList names;
+  for (const std::string &id : m_shownFor)
+    names << QString::fromStdString(id);
+  m_heading->setText(m_fits.empty()
+                         ? tr("Select objects here or in the picture (Ctrl for several): what can be made of "
+                              "them is offered here.")
+                         : tr("Of %1 can be made:").arg(names.join(", ")));
+  emit previewed({});
+}
+
+void FitsBox::addButton(const Fit &fit) {
+  const QString title = titleOf(fit.entry);
+  auto *button = new QPushButton(fit.wanted ? tr("%1 … and %2").arg(title, nounFor(*fit.wanted)) : title);
+  button->setObjectName("fit");
+  button->setProperty(placeProperty, static_cast<int>(m_buttons->layout()->count()));
+  button->setProperty("lacking", fit.wanted.has_value());
+  if (!fit.wanted)
+    button->setToolTip(QString::fromStdString(lineFor(fit.entry, language().decimalMark)));
+  button->installEventFilter(this);
+  connect(
+      button, &QPushButton::clicked, this, [this, fit] { take(fit); }, Qt::QueuedConnection);
+  m_buttons->layout()->addWidget(button);
+}
+
+void FitsBox::take(const Fit &fit) {
+  if (fit.wanted)
+    m_heading->setText(tr("Select %1 as well, with Ctrl.").arg(nounFor(*fit.wanted)));
+  else if (m_edits.add(fit.entry))
+    m_selection.set({fit.entry.name});
+}
+
+std::vector<Mark> FitsBox::marksOf(const Entry &entry) const {
+  Scene scene = m_model.session().scene;
+  scene.entries.push_back(entry);
+  const Evaluation evaluation = evaluate(scene, m_model.evaluation());
+  const EvaluatedEntry *added = evaluation.find(entry.name);
+  std::vector<Mark> marks;
+  if (added)
+    for (const Mark &mark : added->outcome->figure->marks)
+      marks.push_back(mark);
+  for (Mark &mark : marks)
+    baseOf(mark).role = Role::Ghost;
+  return marks;
+}
+
+bool FitsBox::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
+    const Fit &fit = m_fits.at(static_cast<std::size_t>(watched->property(placeProperty).toInt()));
+    emit previewed(fit.wanted ? std::vector<Mark>() : marksOf(fit.entry));
+  } else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {
+    emit previewed({});
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void FitsBox::hideEvent(QHideEvent *event) {
+  QWidget::hideEvent(event);
+  emit previewed({});
+}
+
+} // namespace halfspace

@@ -1,0 +1,50 @@
+// What can be made of what is selected.
+#pragma once
+
+#include "lessons/fitting/fits.h"
+#include "widgets/session_model.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace halfspace {
+
+class EntryEdits;
+class FlowLayout;
+class SceneSelection;
+
+/// A button for each entry that fits the selection, and for each that needs one more object: a click adds the
+/// one, or says what is still to be selected for the other. While the pointer is on a button its picture can
+/// be shown as it would be.
+class FitsBox : public QWidget {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  FitsBox(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent = nullptr);
+
+signals:
+  /// The marks that the entry under the pointer would have; none: the pointer is on none.
+  void previewed(const std::vector<Mark> &marks);
+
+protected:
+  bool eventFilter(QObject *watched, QEvent *event) override;
+  void hideEvent(QHideEvent *event) override;
+
+private:
+  void showFits();
+  void addButton(const Fit &fit);
+  void take(const Fit &fit);
+  [[nodiscard]] std::vector<Mark> marksOf(const Entry &entry) const;
+
+  SessionModel &m_model;
+  SceneSelection &m_selection;
+  EntryEdits &m_edits;
+  QLabel *m_heading;
+  QWidget *m_buttons = nullptr;        ///< made anew for each selection
+  std::vector<Fit> m_fits;             ///< in the order of the buttons
+  std::vector<std::string> m_shownFor; ///< the selection
+  std::size_t m_entries = 0;           ///< of the scene that they were found in
+};
+
+} // namespace halfspace
