@@ -5,6 +5,7 @@
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/letters.h"
 #include "lessons/scene/formula_names.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
@@ -152,18 +153,6 @@ private:
 
   [[nodiscard]] const SceneLetters &letters() const { return m_found.plan->letters; }
 
-  /// The object above that goes by an id, or null.
-  [[nodiscard]] const OfferedObject *findOffered(const std::string &id) const {
-    const EvaluatedEntry *entry = m_found.entries.find(ownerOf(id));
-    if (!entry)
-      return nullptr;
-    const QualifiedName qualifiedId = qualified(id);
-    const std::string_view name = qualifiedId.entry.empty() ? std::string_view() : qualifiedId.own;
-    const auto found = std::find_if(entry->offers.begin(), entry->offers.end(),
-                                    [&](const OfferedObject &each) { return each.name == name; });
-    return found == entry->offers.end() ? nullptr : &*found;
-  }
-
   /// An object in its look.
   static SharedGiven shared(Given<Object> given, const Look &look) {
     given.look = look;
@@ -209,12 +198,12 @@ private:
   /// What a name in a formula stands for; and why it is not there now, where it is not.
   [[nodiscard]] std::optional<FormulaValue> valueNamed(std::string_view name, std::string &whyNot) const {
     const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
-      const OfferedObject *object = findOffered(std::string(id));
+      const OfferedObject *object = findOffered(m_found, id);
       return object ? &object->given->object.kind() : nullptr;
     });
     if (!place)
       return {};
-    const OfferedObject *object = findOffered(place->object);
+    const OfferedObject *object = findOffered(m_found, place->object);
     if (!object->whyNot.empty()) {
       whyNot = object->whyNot;
       return {};
@@ -253,7 +242,7 @@ private:
   /// A bound object is the point where it lies.
   [[nodiscard]] std::optional<EvaluatedEntry> evaluatedBound(const Entry &entry, const Object &object,
                                                              const Look &look) const {
-    const OfferedObject *host = findOffered(entry.on);
+    const OfferedObject *host = findOffered(m_found, entry.on);
     if (!host || kindOf(host->given->object) != object.kind().binding->host)
       return {};
     const auto place = placeOn(object, host->given->object);
@@ -283,7 +272,7 @@ private:
       if (bound == use.roles.end() || !isCountOf(role, bound->second.ids.size()))
         return {};
       for (const std::string &id : bound->second.ids) {
-        const OfferedObject *seen = findOffered(id);
+        const OfferedObject *seen = findOffered(m_found, id);
         if (!seen || !canStandIn(role, seen->given->object))
           return {};
         found.looksAt.push_back(seen->given);

@@ -1,0 +1,31 @@
+#include "lessons/scene/offered_objects.h"
+
+#include "lessons/scene/formula_names.h"
+
+#include <algorithm>
+
+namespace halfspace {
+
+const OfferedObject *findOffered(const Evaluation &evaluation, std::string_view id) {
+  const EvaluatedEntry *entry = evaluation.entries.find(ownerOf(id));
+  if (!entry)
+    return nullptr;
+  const QualifiedName qualifiedId = qualified(id);
+  const std::string_view name = qualifiedId.entry.empty() ? std::string_view() : qualifiedId.own;
+  const auto found = std::find_if(entry->offers.begin(), entry->offers.end(),
+                                  [&](const OfferedObject &each) { return each.name == name; });
+  return found == entry->offers.end() ? nullptr : &*found;
+}
+
+std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name) {
+  const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
+    const OfferedObject *object = findOffered(evaluation, id);
+    return object ? &object->given->object.kind() : nullptr;
+  });
+  if (!place || place->role != CoordinateRole::Position)
+    return {};
+  const OfferedObject *object = findOffered(evaluation, place->object);
+  return object->whyNot.empty() ? std::optional(object->given->object[place->index]) : std::nullopt;
+}
+
+} // namespace halfspace
