@@ -310,24 +310,25 @@ ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &st
 PlacedScene toStage(PlacedScene placed, const Stage &stage) {
   if (stage == Stage())
     return placed;
-  const auto moved = [&](Object object) {
-    for (std::size_t i = 0; i < object.size(); ++i)
-      object[i] = toStage(object[i], coordinatesOf(object)[i].role, stage);
-    return object;
-  };
   const auto movedGiven = [&](Given<Object> given) {
-    given.object = moved(std::move(given.object));
+    given.object = toStage(std::move(given.object), stage);
     return std::make_shared<const Given<Object>>(std::move(given));
   };
   for (std::size_t place = 0; place < placed.scene.entries.size(); ++place)
     if (const auto *object = std::get_if<Object>(&placed.scene.entries[place].content))
-      placed.scene.entries.change(place, [&](Entry &entry) { entry.content = moved(*object); });
+      placed.scene.entries.change(place, [&](Entry &entry) { entry.content = toStage(*object, stage); });
   for (PlacedObject &bound : placed.bound) {
     bound.point = movedGiven(*bound.point);
     bound.host = movedGiven(*bound.host);
   }
   placed.origin = toStage(placed.origin, CoordinateRole::Position, stage);
   return placed;
+}
+
+Object toStage(Object object, const Stage &stage) {
+  for (std::size_t i = 0; i < object.size(); ++i)
+    object[i] = toStage(object[i], coordinatesOf(object)[i].role, stage);
+  return object;
 }
 
 Object fromStage(Object object, const Stage &stage) {

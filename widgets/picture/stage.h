@@ -43,6 +43,7 @@ inline constexpr double drawnReach = 1000;
 [[nodiscard]] ExactVec3 toStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage);
 [[nodiscard]] ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage);
 [[nodiscard]] PlacedScene toStage(PlacedScene scene, const Stage &stage);
+[[nodiscard]] Object toStage(Object object, const Stage &stage);
 [[nodiscard]] Object fromStage(Object object, const Stage &stage);
 
 /// A figure in units of the stage, all its places finite and within drawnReach: lines are cut off there, an

@@ -64,6 +64,8 @@ std::optional<Place> onSphereAt(const SightLine &sight, Place at, Place center, 
   return sight.origin + sight.direction * distance;
 }
 
+} // namespace
+
 std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constraint, const Camera &camera,
                                 PixelSize size, Place at) {
   const SightLine sight = camera.sightThrough(pixel, size);
@@ -74,8 +76,6 @@ std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constrai
   return constraint.kind == DragConstraint::Kind::Line ? onLine(sight, at, constraint.direction)
                                                        : onPlane(sight, at, constraint.direction);
 }
-
-} // namespace
 
 bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place at) {
   if (constraint.kind == DragConstraint::Kind::Sphere)

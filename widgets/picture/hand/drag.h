@@ -37,6 +37,12 @@ inline constexpr double leastSightAngle = 0.0698131700797732;
 /// Whether a drag under this constraint may start at a place. Never for a zero direction.
 [[nodiscard]] bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place at);
 
+/// The place under a pixel on what a constraint lets the place `at` move on: the nearest of a line, and of a
+/// sphere on the side, near or far, where `at` is, beside it on its outline. Nothing where the sight misses
+/// it or is nearer to it than `leastSightAngle`.
+[[nodiscard]] std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constraint,
+                                              const Camera &camera, PixelSize size, Place at);
+
 /// Where the place `start`, grabbed at the pixel `pressed`, is when the pointer is at `now`: the offset
 /// between the pointer and the place is kept. Nothing where the constraint is not grabbable or the sight
 /// misses what it moves on. On a sphere the place stays on the side, near or far, where it was grabbed, and
