@@ -27,7 +27,7 @@ ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, Ma
   connect(&view.input(), &SceneInput::clicked, this, &ExplorePresenter::choose);
   connect(&view.handles(), &SceneHandles::selectionChanged, this, &ExplorePresenter::takeHandle);
   connect(&panels.explore().list(), &EntryList::menuShown, this, &ExplorePresenter::addPin);
-  connect(&panels.explore().fits(), &FitsBox::previewed, &view.drawn(), &DrawnFigure::setGhosts);
+  connect(&panels.explore().fits(), &FitsBox::previewed, &view.drawn(), &DrawnFigure::setGhost);
   takeLesson();
 }
 

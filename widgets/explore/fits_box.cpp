@@ -92,24 +92,21 @@ void FitsBox::take(const Fit &fit) {
     m_selection.set({fit.entry.name});
 }
 
-std::vector<Mark> FitsBox::marksOf(const Entry &entry) const {
+Figure FitsBox::ghostOf(const Entry &entry) const {
   Scene scene = m_model.session().scene;
   scene.entries.push_back(entry);
   const Evaluation evaluation = evaluate(scene, m_model.evaluation());
   const EvaluatedEntry *added = evaluation.find(entry.name);
-  std::vector<Mark> marks;
-  if (added)
-    for (const Mark &mark : added->outcome->figure->marks)
-      marks.push_back(mark);
-  for (Mark &mark : marks)
-    baseOf(mark).role = Role::Ghost;
-  return marks;
+  Figure ghost = added ? *added->outcome->figure : Figure();
+  for (std::size_t place = 0; place < ghost.marks.size(); ++place)
+    ghost.marks.change(place, [](Mark &mark) { baseOf(mark).role = Role::Ghost; });
+  return toStage(ghost, m_model.stage());
 }
 
 bool FitsBox::eventFilter(QObject *watched, QEvent *event) {
   if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
     const Fit &fit = m_fits.at(static_cast<std::size_t>(watched->property(placeProperty).toInt()));
-    emit previewed(fit.wanted ? std::vector<Mark>() : marksOf(fit.entry));
+    emit previewed(fit.wanted ? Figure() : ghostOf(fit.entry));
   } else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {
     emit previewed({});
   }

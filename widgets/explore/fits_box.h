@@ -24,8 +24,8 @@ public:
   FitsBox(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent = nullptr);
 
 signals:
-  /// The marks that the entry under the pointer would have; none: the pointer is on none.
-  void previewed(const std::vector<Mark> &marks);
+  /// What the entry under the pointer would look like, in units of the stage; empty: the pointer is on none.
+  void previewed(const halfspace::Figure &ghost);
 
 protected:
   bool eventFilter(QObject *watched, QEvent *event) override;
@@ -35,7 +35,7 @@ private:
   void showFits();
   void addButton(const Fit &fit);
   void take(const Fit &fit);
-  [[nodiscard]] std::vector<Mark> marksOf(const Entry &entry) const;
+  [[nodiscard]] Figure ghostOf(const Entry &entry) const;
 
   SessionModel &m_model;
   SceneSelection &m_selection;

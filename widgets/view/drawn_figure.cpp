@@ -68,16 +68,16 @@ void DrawnFigure::setHighlighted(const std::set<std::string> &markIds) {
   emit changed();
 }
 
-void DrawnFigure::setGhosts(std::vector<Mark> ghosts) {
-  if (ghosts == m_ghosts)
-    return;
-  m_ghosts = std::move(ghosts);
-  emit changed();
-}
-
 void DrawnFigure::setNumbersHidden(bool hidden) {
   if (std::exchange(m_areNumbersHidden, hidden) != hidden)
     emit changed();
+}
+
+void DrawnFigure::setGhost(Figure ghost) {
+  if (ghost.marks.size() == 0 && m_ghost.marks.size() == 0)
+    return;
+  m_ghost = std::move(ghost);
+  emit changed();
 }
 
 SceneContent DrawnFigure::pictureContent() const {
@@ -94,10 +94,7 @@ SceneContent DrawnFigure::pictureContent() const {
 SceneContent DrawnFigure::drawnContent() const {
   SceneContent content = pictureContent();
   content.figure = m_extents.drawn(std::move(content.figure)); // whether with its numbers or without
-  Figure ghosts;
-  for (const Mark &ghost : m_ghosts)
-    ghosts.add(ghost);
-  content.figure.marks.append(toStage(std::move(ghosts), m_stage).marks);
+  content.figure.marks.append(m_ghost.marks);
   content.highlighted = m_highlighted;
   content.arrival = m_fade.arrival();
   return content;

@@ -28,11 +28,12 @@ public:
   /// The marks that stand out, as those that are hovered here or in a line.
   void setHighlighted(const std::set<std::string> &markIds);
   [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
-  /// Marks that would be there, shown besides; in units of the scene.
-  void setGhosts(std::vector<Mark> ghosts);
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   [[nodiscard]] bool areNumbersHidden() const { return m_areNumbersHidden; }
+
+  /// What would come of a tool in the hand, in units of the stage: drawn besides, but in no other picture.
+  void setGhost(Figure ghost);
 
   /// On the stage, with all where it must be.
   [[nodiscard]] const Figure &figure() const { return m_figure; }
@@ -44,7 +45,7 @@ public:
   [[nodiscard]] SceneContent drawnContent() const;
 
 signals:
-  void changed(); ///< others stand out, or numbers come or go
+  void changed(); ///< others stand out, numbers come or go, or the ghost is another one
   void moved();   ///< what is drawn glides or fades
 
 private:
@@ -55,8 +56,8 @@ private:
   const SessionModel &m_model;
   Stage m_stage; ///< the model's, that the figure is on
   Figure m_figure;
+  Figure m_ghost;
   std::set<std::string> m_highlighted;
-  std::vector<Mark> m_ghosts;
   bool m_areNumbersHidden = false;
   MarkFade m_fade;
   ExtentGlide m_extents;

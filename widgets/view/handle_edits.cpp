@@ -11,11 +11,6 @@
 namespace halfspace {
 namespace {
 
-/// A handle that moves up and down does so with the arrow keys too.
-int verticalKey(int key) {
-  return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
-}
-
 int cornerCount(const Object &object) { return static_cast<int>(cornersOf(object).size()); }
 
 } // namespace

@@ -44,6 +44,10 @@ Rational modifiedStep(const Rational &step, Qt::KeyboardModifiers modifiers) {
 
 } // namespace
 
+int verticalKey(int key) {
+  return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
+}
+
 std::optional<ExactVec3> steppedPlace(const Handle &handle, int key, Qt::KeyboardModifiers modifiers,
                                       const Rational &step, const Camera &camera) {
   const auto direction = axisStep(key, camera);

@@ -13,8 +13,6 @@
 namespace halfspace {
 namespace {
 
-/// A press that moves less than this many pixels is a click.
-constexpr int clickSlop = 3;
 constexpr double radiansPerPixel = 0.005;
 constexpr double zoomPerWheelStep = 0.88;
 /// As Qt counts the angle of a wheel.
@@ -94,7 +92,7 @@ void SceneInput::press(const QMouseEvent &event) {
 }
 
 bool SceneInput::pressHandle(const QPointF &place, bool shifted) {
-  const auto grab = m_handles.grabAt(m_screen.pixelAt(place), shifted);
+  const auto grab = m_isGrabbing ? m_handles.grabAt(m_screen.pixelAt(place), shifted) : std::nullopt;
   if (!grab)
     return false;
   m_hold.begin(grab->handle, grab->mode, m_screen.pixelAt(place));
@@ -113,7 +111,7 @@ void SceneInput::pressPicture(Gesture gesture) {
 void SceneInput::move(const QMouseEvent &event) {
   const QPointF place = mousePlace(event);
   if (m_gesture == Gesture::None)
-    return m_handles.hover(m_screen.pixelAt(place));
+    return m_handles.hover(m_isGrabbing ? m_screen.pixelAt(place) : nowhere);
   if (!(event.buttons() & m_press.button))
     return finish(); // the release went elsewhere
   if ((place - m_press.place).manhattanLength() > clickSlop)
@@ -137,7 +135,7 @@ void SceneInput::movePicture(const QPointF &way) {
 void SceneInput::release(const QMouseEvent &event) {
   if (event.button() != m_press.button)
     return;
-  const bool isClick = event.button() == Qt::LeftButton && !m_press.hasMoved;
+  const bool isClick = m_isGrabbing && event.button() == Qt::LeftButton && !m_press.hasMoved;
   const bool isClickBeside = isClick && m_gesture == Gesture::Turn;
   const QString mark =
       isClick ? QString::fromStdString(m_handles.markAt(m_screen.pixelAt(m_press.place))) : QString();
@@ -166,6 +164,13 @@ void SceneInput::letGo() {
   m_press.button = Qt::NoButton;
   m_view.unsetCursor();
   m_handles.settle();
+}
+
+void SceneInput::setGrabbing(bool grabbing) {
+  finish();
+  m_isGrabbing = grabbing;
+  m_handles.select({});
+  m_handles.hover(nowhere);
 }
 
 void SceneInput::turnWheel(const QWheelEvent &event) {

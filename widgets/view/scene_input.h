@@ -19,6 +19,9 @@ class SceneInput : public QObject {
   Q_OBJECT
 
 public:
+  /// A press that moves less than this many pixels is a click.
+  static constexpr int clickSlop = 3;
+
   SceneInput(QWidget &view, const ViewScreen &screen, Viewpoint &viewpoint, SceneHandles &handles,
              HandleEdits &edits, HandleHold &hold);
 
@@ -26,6 +29,9 @@ public:
   void finish();
   /// Forgets what the mouse holds.
   void letGo();
+  /// Whether the mouse hovers over handles, grabs and dismisses them; else it has the picture alone. What it
+  /// had of handles ends.
+  void setGrabbing(bool grabbing);
 
 signals:
   void dismissed(); ///< Escape, or a click beside the handles, while nothing is dragged
@@ -68,6 +74,7 @@ private:
   HandleEdits &m_edits;
   HandleHold &m_hold;
   PictureHold m_picture;
+  bool m_isGrabbing = true;
   Gesture m_gesture = Gesture::None;
   Press m_press;     ///< that began it
   QPointF m_pointer; ///< the newest place

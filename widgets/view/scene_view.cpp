@@ -11,6 +11,7 @@ SceneView::SceneView(SessionModel &model, const Typesetter &typesetter, QWidget 
                 [this](glm::dvec2 pixel) { return m_drawing.markAt(pixel); }),
       m_edits(model, m_viewpoint, m_handles),
       m_input(*this, m_screen, m_viewpoint, m_handles, m_edits, m_hold),
+      m_objectHand(*this, m_screen, m_viewpoint, m_model, m_drawn, m_input),
       m_drawing(*this, typesetter, m_viewpoint, m_drawn, m_handles, m_hold) {
   setAccessibleName(tr("3D scene"));
   followModel();
@@ -43,6 +44,9 @@ void SceneView::joinParts() {
   connect(&m_handles, &SceneHandles::changed, &m_drawing, &SceneDrawing::requestNew);
   connect(&m_handles, &SceneHandles::hintChanged, this, &SceneView::tellHint);
   connect(&m_edits, &HandleEdits::refused, this, &SceneView::hint);
+  connect(&m_objectHand, &ObjectHand::promptChanged, this, &SceneView::tellHint);
+  connect(&m_objectHand, &ObjectHand::refused, this, &SceneView::hint);
+  connect(&m_objectHand, &ObjectHand::markHovered, &m_handles, &SceneHandles::markHovered);
 }
 
 QSurfaceFormat SceneView::surfaceFormat() {
@@ -88,6 +92,7 @@ void SceneView::takeOutcome() {
   m_viewpoint.takeStage();
   m_drawn.takeOutcome(m_screen.moves());
   m_handles.takeOutcome();
+  m_objectHand.takeOutcome();
   m_drawing.takeOutcome(m_model.history().inGesture());
 }
 
@@ -103,8 +108,9 @@ void SceneView::resizeEvent(QResizeEvent *event) {
 }
 
 bool SceneView::focusNextPrevChild(bool next) {
-  // Tab goes from handle to handle; behind the last one it leaves the view.
-  return m_handles.selectNext(next) || QVTKOpenGLNativeWidget::focusNextPrevChild(next);
+  // Tab goes from handle to handle, while the hand is empty; behind the last one it leaves the view.
+  return (!m_objectHand.tool() && m_handles.selectNext(next)) ||
+         QVTKOpenGLNativeWidget::focusNextPrevChild(next);
 }
 
 } // namespace halfspace

@@ -1,15 +1,16 @@
 // The 3D view: a figure, its handles, and the mouse and keys that move them.
 #pragma once
 
+#include "widgets/view/object_hand.h"
 #include "widgets/view/scene_drawing.h"
-#include "widgets/view/scene_input.h"
 
 namespace halfspace {
 
 /// A widget that is put together from parts with one task each: where it looks from (Viewpoint), what it
 /// draws of the session (DrawnFigure), the handles with their tools (SceneHandles), what keys and menus do
-/// with them (HandleEdits), the one in the hand (HandleHold), the events (SceneInput) and the frames
-/// (SceneDrawing). Here they are told of each other; whoever wants something of one of them asks it.
+/// with them (HandleEdits), the one in the hand (HandleHold), the events (SceneInput), the tool that makes
+/// objects (ObjectHand) and the frames (SceneDrawing). Here they are told of each other; whoever wants
+/// something of one of them asks it.
 class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -35,6 +36,7 @@ public:
   [[nodiscard]] SceneHandles &handles() { return m_handles; }
   [[nodiscard]] HandleEdits &edits() { return m_edits; }
   [[nodiscard]] SceneInput &input() { return m_input; }
+  [[nodiscard]] ObjectHand &objectHand() { return m_objectHand; }
   [[nodiscard]] SceneDrawing &drawing() { return m_drawing; }
 
 signals:
@@ -50,7 +52,7 @@ private:
   void joinParts();
   void takeLesson();
   void takeOutcome();
-  void tellHint() { emit hint(m_handles.hint()); }
+  void tellHint() { emit hint(m_objectHand.tool() ? m_objectHand.prompt() : m_handles.hint()); }
 
   SessionModel &m_model;
   ViewScreen m_screen;
@@ -60,6 +62,7 @@ private:
   SceneHandles m_handles;
   HandleEdits m_edits;
   SceneInput m_input;
+  ObjectHand m_objectHand;
   SceneDrawing m_drawing;
 };
 

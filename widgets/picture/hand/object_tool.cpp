@@ -3,7 +3,7 @@
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/scene/fresh_name.h"
+#include "lessons/scene/fresh_names.h"
 
 #include <algorithm>
 #include <tuple>
@@ -150,7 +150,8 @@ std::vector<Entry> newEntriesOf(const std::vector<ToolPick> &picks) {
 
 /// A name that neither the scene has nor what the tool has taken.
 std::string nameFor(const Kind &kind, const ObjectTool &tool, const Scene &scene) {
-  return freshName(withEntries(scene, newEntriesOf(tool.picks)), kind);
+  const Scene grown = withEntries(scene, newEntriesOf(tool.picks));
+  return FreshNames(grown).ofKind(kind);
 }
 
 ToolPick newPick(Entry entry, const ExactVec3 &at) {
