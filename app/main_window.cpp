@@ -40,6 +40,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
+#include <QToolButton>
 #include <QUrl>
 
 #include <utility>
@@ -137,7 +138,14 @@ void MainWindow::createExplore() {
           [this](const QString &sentence) { m_panels.messages().say(sentence); });
   scene.bar().setVisible(isExplore(m_model));
   const auto actions = menuBar()->actions();
-  menuBar()->insertMenu(actions.at(actions.size() - 2), new SceneMenu(m_model, *m_field, menuBar()));
+  auto *menu = new SceneMenu(m_model, *m_field, scene.view().objectHand(), menuBar());
+  menuBar()->insertMenu(actions.at(actions.size() - 2), menu);
+  auto *add = new QToolButton;
+  add->setObjectName("addTool");
+  add->setText(tr("Add"));
+  add->setMenu(&menu->tools());
+  add->setPopupMode(QToolButton::InstantPopup);
+  scene.bar().addTool(*add);
 }
 
 void MainWindow::createHeader(ContentsPresenter &contents) {

@@ -6,6 +6,7 @@
 #include "lessons/scene/object_of_mark.h"
 #include "widgets/explore/explore_panel.h"
 #include "widgets/explore/fits_box.h"
+#include "widgets/numbers/number_card.h"
 #include "widgets/view/scene_view.h"
 
 #include <QGuiApplication>
@@ -79,12 +80,14 @@ void ExplorePresenter::selectHandle() {
   SceneHandles &handles = m_panels.scene().view().handles();
   const auto selected = handles.selectedCoordinate();
   const std::string object = m_selection.ids().size() == 1 ? m_selection.ids().front() : std::string();
-  if (!isExplore(m_model) || (selected ? selected->object : std::string()) == object)
+  if (!isExplore(m_model) || (selected && selected->object == object))
     return;
   const std::vector<Handle> &all = handles.selection().handles();
   const auto first =
       std::find_if(all.begin(), all.end(), [&](const Handle &handle) { return handle.object == object; });
   handles.select(first == all.end() ? std::string() : first->id);
+  if (const Object *number = findObject(m_model.session().scene, object); number && first == all.end())
+    m_panels.scene().card().setSelection(CoordinateId{object, 0}); // it has no place to be dragged
 }
 
 void ExplorePresenter::showWorkings() {

@@ -81,6 +81,13 @@ void FieldPresenter::begin(const QString &key) {
   suggest();
 }
 
+void FieldPresenter::propose(const QString &line) {
+  open();
+  m_bar.setText(line);
+  m_bar.say(tr("Change it as you like: Enter adds it."));
+  offer({}, false);
+}
+
 void FieldPresenter::edit(const QString &name) {
   const Entry *entry = m_model.session().scene.entries.find(name.toStdString());
   if (!entry)

@@ -27,6 +27,8 @@ public:
   void open();
   /// Begins with a key that nobody else wanted.
   void begin(const QString &key);
+  /// A line to be changed and entered.
+  void propose(const QString &line);
   /// The line of an entry, to be edited.
   void edit(const QString &name);
 

@@ -6,16 +6,26 @@
 namespace halfspace {
 
 class FieldPresenter;
+class ObjectHand;
 class SessionModel;
 
 class SceneMenu : public QMenu {
   Q_OBJECT
 public:
   /// All must outlive it.
-  SceneMenu(SessionModel &model, FieldPresenter &field, QWidget *parent);
+  SceneMenu(SessionModel &model, FieldPresenter &field, ObjectHand &hand, QWidget *parent);
+
+  /// The tools by which objects are added.
+  [[nodiscard]] QMenu &tools() { return *m_add; }
 
 private:
+  /// A tool for each sort of object, while Explore is open.
+  void addTools(ObjectHand &hand);
+  /// Lines of what has no place in the picture where it could be clicked, to be changed and entered.
+  void addLines(FieldPresenter &field);
+
   SessionModel &m_model;
+  QMenu *m_add = nullptr;
   QAction *m_goOn; ///< with a lesson's scene in Explore
 };
 

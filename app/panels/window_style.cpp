@@ -50,6 +50,8 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#lessonTitle { color: %2; padding: 0.35em 1.1em; }
     QToolButton#contentsButton { margin: 0 0.3em; }
     QToolButton#sceneTool { background: %3; border: 1px solid %1; border-radius: 5px; padding: 0.35em; }
+    QToolButton#addTool { background: %3; border: 1px solid %1; border-radius: 4px; padding: 0.3em 1.4em 0.3em 0.7em; }
+    QToolButton#addTool:hover, QToolButton#addTool:focus { background: %5; }
     QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
     QToolButton#showLine { color: %2; border: 1px solid %1; border-radius: 4px; padding: 0.1em 0.35em; }
     QToolButton#showLine:hover, QToolButton#showLine:focus { color: %6; border-color: %7; }

@@ -2,6 +2,7 @@
 
 #include "lessons/language.h"
 #include "lessons/object/kind.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/typed/entry_summary.h"
 #include "widgets/colors.h"
 #include "widgets/picture/theme.h"
@@ -15,16 +16,6 @@ namespace {
 constexpr const char *indent = "    ";
 
 bool isMade(const std::string &id) { return id.find('.') != std::string::npos; }
-
-const OfferedObject *findMade(const Evaluation &evaluation, const std::string &id) {
-  const EvaluatedEntry *maker = evaluation.find(ownerOf(id));
-  if (!maker)
-    return nullptr;
-  const std::string_view name = qualified(id).own;
-  const auto found = std::find_if(maker->offers.begin(), maker->offers.end(),
-                                  [&](const OfferedObject &each) { return each.name == name; });
-  return found == maker->offers.end() ? nullptr : &*found;
-}
 
 std::vector<std::string> idsIn(const Evaluation &evaluation) {
   std::vector<std::string> ids;
@@ -104,7 +95,7 @@ QString EntryRows::textIn(const QModelIndex &index) const {
     const EntrySummary summary = summaryOf(*entry, evaluation, language().decimalMark);
     return QString::fromStdString(index.column() == Definition ? summary.definition : summary.value);
   }
-  const OfferedObject *made = findMade(evaluation, id);
+  const OfferedObject *made = findOffered(evaluation, id);
   switch (index.column()) {
   case Name:
     return QString(indent) + QString::fromStdString(id);
@@ -118,7 +109,7 @@ QString EntryRows::textIn(const QModelIndex &index) const {
 QString EntryRows::tipIn(int row) const {
   const EvaluatedEntry *evaluated = m_model.evaluation().find(idIn(row));
   if (!evaluated) {
-    const OfferedObject *made = findMade(m_model.evaluation(), idIn(row));
+    const OfferedObject *made = findOffered(m_model.evaluation(), idIn(row));
     return made ? QString::fromStdString(made->whyNot) : QString();
   }
   if (evaluated->isConstruction() || !evaluated->missing.empty())
