@@ -1,4 +1,6 @@
-// Whatever the bytes: each line is an entry, whose own line is read as it again, or a fault within the line.
+// Whatever the bytes: each line is an entry, whose own line is read as it again, or a fault within the line;
+// and what it can be completed to is selected within itself.
+#include "lessons/typed/complete_line.h"
 #include "lessons/typed/read_line.h"
 #include "lessons/typed/write_line.h"
 
@@ -18,6 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   while (!text.empty() && scene.entries.size() < mostEntries) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
+    for (const LineCompletion &each : completionsOf(line, line.size() / 2, scene, '.', 2))
+      demand(each.selectedAt + each.selectedLength <= each.line.size());
     auto read = readLine(line, scene, line.size() % 2 == 0 ? '.' : ',');
     if (const auto *fault = std::get_if<TypedFault>(&read)) {
       demand(!fault->sentence.empty() && fault->at <= line.size());

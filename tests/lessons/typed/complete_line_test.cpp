@@ -224,5 +224,27 @@ TEST(CompleteLine, OfAnyBeginning_IsReadWhereItSaysSo) {
   EXPECT_GT(whole, test::atLeast(100));
 }
 
+TEST(CompleteLine, WithACursorAnywhere_KeepsWhatIsBehindIt) {
+  std::mt19937 random(11);
+  const Lines lines{"e = distance(E, A)",          "M = (A + B)/2 · u",
+                    "e = plane(A, B, C), green",   "E2: x + 2y = z",
+                    "q = k, 0 <= q <= 5, step 1",  "((;,)(",
+                    "e = triangle((1,5; 2; 3), A", "ä = (ö, €"};
+  for (int i = 0; i < test::effort(1500); ++i) {
+    std::string line = lines[random() % lines.size()];
+    for (std::size_t slips = random() % 3; slips > 0; --slips)
+      line[random() % line.size()] = static_cast<char>(random() % 256);
+    const std::size_t cursor = random() % (line.size() + 2);
+    const std::string behind = line.substr(std::min(cursor, line.size()));
+    for (const char mark : {'.', ','})
+      for (const LineCompletion &each : completionsOf(line, cursor, playground(), mark, 4)) {
+        EXPECT_TRUE(trimmed(behind).empty() || each.line.ends_with(behind)) << each.line;
+        EXPECT_NE(each.line, line);
+        EXPECT_EQ(std::holds_alternative<Entry>(readLine(each.line, playground(), mark)), each.isWhole);
+        EXPECT_LE(each.selectedAt + each.selectedLength, each.line.size());
+      }
+  }
+}
+
 } // namespace
 } // namespace halfspace
