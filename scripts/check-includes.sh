@@ -21,6 +21,7 @@ lessons/construction : geometry lessons lessons/term lessons/figure lessons/obje
 lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/formula lessons/construction lessons/reading lessons/files : JSON
 lessons/typed        : geometry lessons lessons/term lessons/figure lessons/object lessons/formula lessons/construction lessons/scene lessons/reading
 lessons/fitting      : lessons lessons/object lessons/formula lessons/construction lessons/scene
+lessons/discovery    : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/formula      : geometry lessons/* : HarfBuzz
 widgets/picture      : geometry geometry/search lessons/* widgets/formula

@@ -1,6 +1,7 @@
-// Scenes that grow: what an edit, a frame of a drag, saving and opening, the list of what fits a selection,
-// and the completions of a typed line cost in scenes of 3 to 500 constructions, and the list of 5, 20 and
+// Scenes that grow: what an edit, a frame of a drag, saving and opening, what fits a selection and holds of
+// it, and the completions of a typed line cost in scenes of 3 to 500 constructions, and the list of 5, 20 and
 // 1,000 lessons. Each should be flat or linear.
+#include "lessons/discovery/discover.h"
 #include "lessons/fitting/fits.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
@@ -121,8 +122,13 @@ void measureFits(int constructions) {
   const double listed = millisecondsOf(50, [&](int) {
     found = fitsFor(scene, {"Q0", "d0.F", "d2.F"}).size();
   });
-  std::printf("%5zu entries: the %zu fits of a point listed in %7.3f ms\n", scene.entries.size(), found,
-              listed);
+  const Evaluation evaluation = evaluate(scene);
+  const double discovered = millisecondsOf(20, [&](int) {
+    (void)discoveriesOf(evaluation, {"Q0", "d0.F", "E0"});
+  });
+  std::printf(
+      "%5zu entries: the %zu fits of a point listed in %7.3f ms, what holds of a foot found in %7.3f ms\n",
+      scene.entries.size(), found, listed, discovered);
 }
 
 /// What a key costs in a line that is being typed: at its begin, and between brackets.
