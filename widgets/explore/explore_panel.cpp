@@ -1,5 +1,6 @@
 #include "widgets/explore/explore_panel.h"
 
+#include "widgets/explore/discovery_box.h"
 #include "widgets/explore/fits_box.h"
 #include "widgets/scene_selection.h"
 
@@ -16,7 +17,8 @@ constexpr QMargins panelMargins(14, 10, 14, 6);
 ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
     : QWidget(parent), m_model(model), m_selection(new SceneSelection(this)),
       m_edits(new EntryEdits(model, this)), m_list(new EntryList(model, *m_selection, *m_edits)),
-      m_fits(new FitsBox(model, *m_selection, *m_edits)), m_welcome(new QLabel) {
+      m_fits(new FitsBox(model, *m_selection, *m_edits)),
+      m_discoveries(new DiscoveryBox(model, *m_selection)), m_welcome(new QLabel) {
   setObjectName("explorePanel");
   m_welcome->setObjectName("exploreWelcome");
   m_welcome->setTextFormat(Qt::RichText);
@@ -31,6 +33,7 @@ ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
   column->setContentsMargins(panelMargins);
   column->addWidget(m_list, 1);
   column->addWidget(m_fits);
+  column->addWidget(m_discoveries);
   column->addWidget(m_welcome, 1);
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePanel::showScene);
   showScene();
@@ -42,6 +45,7 @@ void ExplorePanel::showScene() {
   const bool isEmpty = m_model.session().scene.entries.size() == 0;
   m_list->setVisible(!isEmpty);
   m_fits->setVisible(!isEmpty);
+  m_discoveries->setVisible(!isEmpty);
   m_welcome->setVisible(isEmpty);
 }
 

@@ -7,6 +7,7 @@ class QLabel;
 
 namespace halfspace {
 
+class DiscoveryBox;
 class FitsBox;
 
 /// The list of what is in the scene, with words in its place while there is nothing, and what can be made of
@@ -31,6 +32,7 @@ private:
   EntryEdits *m_edits;
   EntryList *m_list;
   FitsBox *m_fits;
+  DiscoveryBox *m_discoveries;
   QLabel *m_welcome;
 };
 
