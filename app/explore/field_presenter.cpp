@@ -6,6 +6,7 @@
 #include "lessons/typed/complete_line.h"
 #include "lessons/typed/mend_line.h"
 #include "lessons/typed/read_line.h"
+#include "lessons/typed/typed_scene.h"
 #include "lessons/typed/write_line.h"
 #include "widgets/explore/entry_edits.h"
 #include "widgets/scene_selection.h"
@@ -44,6 +45,7 @@ FieldPresenter::FieldPresenter(SessionModel &model, EntryBar &bar, EntryEdits &e
   connect(&bar, &EntryBar::entered, this, &FieldPresenter::enter);
   connect(&bar, &EntryBar::recalled, this, &FieldPresenter::recall);
   connect(&bar, &EntryBar::left, this, &FieldPresenter::leave);
+  connect(&bar, &EntryBar::linesPasted, this, &FieldPresenter::enterAll);
   connect(&bar, &EntryBar::taken, this, [this](int offer) {
     if (offer < static_cast<int>(m_offers.size()))
       std::function<void()>(m_offers[static_cast<std::size_t>(offer)].take)(); // it may bring others
@@ -185,6 +187,22 @@ void FieldPresenter::accept(const Entry &entry) {
   m_recalled = m_lines.size();
   show();
   m_selection.set({entry.name});
+}
+
+void FieldPresenter::enterAll(const QString &lines) {
+  const Scene &scene = m_model.session().scene;
+  const auto grown = readTypedScene(lines.toStdString(), {}, language().decimalMark, scene);
+  if (!grown)
+    return m_bar.say(tr("Nothing was added. Line %1: %2")
+                         .arg(grown.problem().line)
+                         .arg(QString::fromStdString(grown.problem().sentence)));
+  if (!isExplore(m_model))
+    return goOnInExplore(m_model, *grown);
+  std::vector<Entry> added;
+  for (std::size_t place = scene.entries.size(); place < grown->entries.size(); ++place)
+    added.push_back(grown->entries[place]);
+  if (m_edits.addAll(added))
+    m_bar.say(tr("%n lines were added.", nullptr, static_cast<int>(added.size())));
 }
 
 void FieldPresenter::refuse(const QString &sentence, EntryField::Part part) {

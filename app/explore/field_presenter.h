@@ -50,6 +50,8 @@ private:
   void offer(std::vector<Offer> offers, bool isFirstChosen);
   void enter();
   void accept(const Entry &entry);
+  /// Adds all of several lines, or none.
+  void enterAll(const QString &lines);
   void refuse(const QString &sentence, EntryField::Part part);
   [[nodiscard]] std::vector<Offer> mends();
   void recall(int lines);

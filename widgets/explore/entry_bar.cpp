@@ -29,6 +29,7 @@ EntryBar::EntryBar(QWidget *parent) : QWidget(parent), m_field(new EntryField), 
   connect(m_field, &EntryField::stepped, this, &EntryBar::step);
   connect(m_field, &EntryField::entering, this, &EntryBar::enter);
   connect(m_field, &EntryField::dismissed, this, &EntryBar::left);
+  connect(m_field, &EntryField::linesPasted, this, &EntryBar::linesPasted);
   connect(m_field, &EntryField::completing, this,
           [this] { emit completed(std::max(suggestions().currentRow(), 0)); });
 }

@@ -40,6 +40,7 @@ signals:
   void completed(int suggestion); ///< … or only put into the text; the first where none is chosen
   void recalled(int lines);       ///< an earlier line is wanted, −1, or a later one, 1
   void left();                    ///< by Escape
+  void linesPasted(const QString &lines);
 
 private:
   [[nodiscard]] SuggestionList &suggestions();

@@ -33,6 +33,13 @@ bool EntryEdits::add(const Entry &entry) {
   return edit({AddEntry{m_model.session().scene.entries.size(), entry}}, tr("Add %1").arg(text(entry.name)));
 }
 
+bool EntryEdits::addAll(const std::vector<Entry> &entries) {
+  std::vector<Edit> edits;
+  for (const Entry &entry : entries)
+    edits.emplace_back(AddEntry{m_model.session().scene.entries.size() + edits.size(), entry});
+  return edit(edits, tr("Add %n entries", nullptr, static_cast<int>(entries.size())));
+}
+
 bool EntryEdits::replace(const std::string &name, const Entry &entry) {
   return edit({ReplaceEntry{name, entry}}, tr("Change %1").arg(text(name)));
 }

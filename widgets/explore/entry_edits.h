@@ -14,6 +14,8 @@ public:
 
   /// Puts an entry below all others. False where it is refused.
   bool add(const Entry &entry);
+  /// … several, in their order, as one step.
+  bool addAll(const std::vector<Entry> &entries);
   /// Puts an entry in the place of the one of this name, which need not be its own.
   bool replace(const std::string &name, const Entry &entry);
   void rename(const std::string &name, const std::string &newName);

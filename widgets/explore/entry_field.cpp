@@ -1,5 +1,7 @@
 #include "widgets/explore/entry_field.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -35,6 +37,10 @@ bool EntryField::event(QEvent *event) {
   // Before Tab leads to the next widget, and before Escape and Enter reach shortcuts.
   if (event->type() == QEvent::KeyPress) {
     const auto &key = static_cast<const QKeyEvent &>(*event);
+    if (key.matches(QKeySequence::Paste) && QGuiApplication::clipboard()->text().trimmed().contains('\n')) {
+      emit linesPasted(QGuiApplication::clipboard()->text());
+      return true;
+    }
     const bool isPlain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     if (isPlain && takeKey(key.key()))
       return true;

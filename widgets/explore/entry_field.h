@@ -28,6 +28,7 @@ signals:
   void completing();      ///< Tab: the suggestion is to be taken into the text
   void entering();
   void dismissed(); ///< Escape
+  void linesPasted(const QString &lines); ///< several at once: they are not in the field
 
 protected:
   bool event(QEvent *event) override;

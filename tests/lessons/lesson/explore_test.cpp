@@ -1,0 +1,38 @@
+#include "lessons/lesson/explore.h"
+
+#include "lessons/lesson/shown.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+TEST(Explore, IsKnownToEveryLibrary_AndEmpty) {
+  const Lesson *explore = LessonLibrary().find(exploreId);
+  ASSERT_TRUE(explore);
+  EXPECT_EQ(explore->scene.entries.size(), 0U);
+  EXPECT_TRUE(explore->steps.empty());
+}
+
+TEST(Explore, StepShowingAConstruction_HasItsLinesAlone_AndTheWholeFigure) {
+  Scene scene = test::distanceScene();
+  scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
+  const Evaluation evaluation = evaluate(scene);
+  const Shown shown = shownIn(stepShowing({"distance"}), evaluation);
+  EXPECT_EQ(shown.working.lines.size(), evaluation.find("distance")->outcome->explanation->ids().size());
+  for (const WorkingLine &line : shown.working.lines)
+    EXPECT_EQ(entryOf(line.id), "distance");
+  EXPECT_EQ(shown.figure.marks, figureOf(evaluation).marks);
+  EXPECT_EQ(shown.description, evaluation.find("distance")->outcome->told->description);
+}
+
+TEST(Explore, StepShowingNothing_HasNoLines_AndTheWholeFigure) {
+  const Evaluation evaluation = evaluate(test::distanceScene());
+  const Shown shown = shownIn(stepShowing({}), evaluation);
+  EXPECT_TRUE(shown.working.lines.empty());
+  EXPECT_EQ(shown.figure.marks, figureOf(evaluation).marks);
+}
+
+} // namespace
+} // namespace halfspace

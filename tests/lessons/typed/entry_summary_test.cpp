@@ -1,0 +1,44 @@
+#include "lessons/typed/entry_summary.h"
+
+#include "lessons/typed/typed_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+/// What the last line of a scene is, and comes to.
+std::pair<std::string, std::string> summaryOfLast(const std::string &lines) {
+  const auto scene = readTypedScene(lines, "");
+  if (!scene)
+    return {scene.problem().sentence, ""};
+  const EntrySummary summary = summaryOf(scene->entries[scene->entries.size() - 1], evaluate(*scene));
+  return {summary.definition, summary.value};
+}
+
+using Told = std::pair<std::string, std::string>;
+
+TEST(EntrySummary, OfWhatTellsItself_HasNoValueBesides) {
+  EXPECT_EQ(summaryOfLast("Q = (1, 2, 3)"), Told("(1, 2, 3)", ""));
+  EXPECT_EQ(summaryOfLast("E: x + 2y = 3"), Told("x + 2y = 3", ""));
+}
+
+TEST(EntrySummary, OfAPlaneByAPointAndOfWhatFollowsOthers_IsWhatTheyComeTo) {
+  EXPECT_EQ(summaryOfLast("E = plane((1, 1, 1), (1, 2, 2))"),
+            Told("plane((1, 1, 1), (1, 2, 2))", "x + 2y + 2z − 5 = 0"));
+  EXPECT_EQ(summaryOfLast("A = (1, 2, 3)\nM = A/2"), Told("A / 2", "(1/2, 1, 3/2)"));
+}
+
+TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
+  const std::string objects = "E: x + 2y + 2z = 27\nQ = (11, 15, 8)\n";
+  EXPECT_EQ(summaryOfLast(objects + "d = distance(E, Q)"),
+            Told("signed-distance(E, Q)", "signed distance = 10"));
+}
+
+TEST(EntrySummary, OfWhatIsNotThere_HasNoValue) {
+  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)").second, "");
+  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)\nE: z = 1\nd = distance(E, P)").second, "");
+}
+
+} // namespace
+} // namespace halfspace
