@@ -1,5 +1,7 @@
 #include "app/export/parts_section.h"
 
+#include "app/panels/part_title.h"
+
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -9,23 +11,13 @@ namespace {
 
 constexpr int columns = 2;
 
-QString titleOf(bool ShownParts::*part) {
-  if (part == &ShownParts::labels)
-    return PartsSection::tr("La&bels");
-  if (part == &ShownParts::coordinates)
-    return PartsSection::tr("Coord&inates");
-  if (part == &ShownParts::axes)
-    return PartsSection::tr("Ax&es");
-  return part == &ShownParts::grid ? PartsSection::tr("&Grid") : PartsSection::tr("Sha&dows");
-}
-
 } // namespace
 
 PartsSection::PartsSection(bool hasFlat) : ExportSection(tr("Shown")), m_hasFlat(hasFlat) {
   auto *grid = new QGridLayout;
   for (std::size_t i = 0; i < m_boxes.size(); ++i) {
     const auto &[name, part] = shownPartNames[i];
-    m_boxes[i] = new QCheckBox(titleOf(part));
+    m_boxes[i] = new QCheckBox(partTitle(part));
     m_boxes[i]->setObjectName(QString::fromUtf8(name.data(), static_cast<int>(name.size())));
     grid->addWidget(m_boxes[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
     connect(m_boxes[i], &QCheckBox::toggled, this, &PartsSection::changed);

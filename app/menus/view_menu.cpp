@@ -2,12 +2,14 @@
 
 #include "app/menus/add_item.h"
 #include "app/menus/camera_actions.h"
+#include "app/panels/part_title.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/theme_title.h"
 #include "app/panels/window_layout.h"
 #include "app/panels/window_look.h"
 #include "app/panels/window_panels.h"
 #include "widgets/view/flat_view.h"
+#include "widgets/view/scene_view.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
@@ -21,6 +23,7 @@ ViewMenu::ViewMenu(const CameraActions &camera, WindowLook &look, const WindowLa
   addSeparator();
   addSizeMenu(look, panels.messages());
   addThemeMenu(look);
+  addPartsMenu(panels.scene().view().drawn());
   addAction(&look.motion());
   addSeparator();
   QAction *numbers = panels.numbersDock().toggleViewAction();
@@ -68,6 +71,22 @@ void ViewMenu::addThemeMenu(WindowLook &look) {
     for (QAction *action : group->actions())
       action->setChecked(action->data().toString().toStdString() == look.theme().name);
   });
+}
+
+void ViewMenu::addPartsMenu(DrawnFigure &drawn) {
+  QMenu &menu = *addMenu(tr("&Parts of the Picture"));
+  menu.setObjectName("parts");
+  for (const auto &[name, part] : shownPartNames) {
+    QAction *action = menu.addAction(partTitle(part));
+    action->setObjectName(QString::fromUtf8(name.data(), static_cast<int>(name.size())));
+    action->setCheckable(true);
+    action->setChecked(drawn.shownParts().*part);
+    connect(action, &QAction::toggled, &drawn, [&drawn, part = part](bool on) {
+      ShownParts shown = drawn.shownParts();
+      shown.*part = on;
+      drawn.setShownParts(shown);
+    });
+  }
 }
 
 } // namespace halfspace

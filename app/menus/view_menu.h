@@ -8,6 +8,7 @@
 namespace halfspace {
 
 class CameraActions;
+class DrawnFigure;
 class WindowLayout;
 class WindowLook;
 class WindowPanels;
@@ -22,6 +23,8 @@ public:
 private:
   void addSizeMenu(WindowLook &look, Messages messages);
   void addThemeMenu(WindowLook &look);
+  /// Which parts of the picture are drawn.
+  void addPartsMenu(DrawnFigure &drawn);
 };
 
 } // namespace halfspace

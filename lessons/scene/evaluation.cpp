@@ -5,6 +5,7 @@
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/letters.h"
 #include "lessons/scene/formula_names.h"
+#include "lessons/scene/object_outcomes.h"
 #include "lessons/scene/offered_objects.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/term/plain_text.h"
@@ -20,52 +21,6 @@ bool canStandIn(const ConstructionRole &role, const Object &object) {
   return role.kind == kindOf(object) || role.kind == seenKindOf(object);
 }
 
-using SharedGiven = std::shared_ptr<const Given<Object>>;
-
-template <class T> Lazy<T> nothing() {
-  return Lazy<T>([] { return T(); });
-}
-
-/// The outcome of an object: itself, its picture, and the values that it has beyond its coordinates.
-std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vector<NamedValue>> values,
-                                         std::vector<Reach> reaches) {
-  return std::make_shared<const Outcome>(
-      Outcome{{{"", given->object}},
-              nothing<CaseWords>(),
-              std::move(values),
-              nothing<Explanation>(),
-              Lazy<Figure>([given = given.get(), reaches = std::move(reaches)] {
-                return Figure{given->object.kind().draw(*given), reaches};
-              }),
-              nothing<std::vector<SpecialCase>>(),
-              nothing<Crossings>(),
-              given});
-}
-
-std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
-  return outcomeOf(given, nothing<std::vector<NamedValue>>(), {});
-}
-
-/// An object that follows others is told by what its coordinates come to.
-std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given) {
-  return outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
-                     std::vector<NamedValue> values;
-                     for (std::size_t i = 0; i < given->object.size(); ++i)
-                       if (const std::string name = valueNameOf(given->object.kind(), i); !name.empty())
-                         values.push_back(listed(name, coordinateTerm(*given, i)));
-                     return values;
-                   }),
-                   {});
-}
-
-/// A bound object has a place besides its freedoms, up to which its host is drawn.
-std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given, const std::string &host) {
-  return outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
-                     return std::vector{listed("at", coordinateTerm(*given, 0))};
-                   }),
-                   {{host, toDouble(given->object[0])}});
-}
-
 Figure withoutHiddenLabels(Figure figure, const LabelsByHand &labels) {
   for (std::size_t place = 0; place < figure.marks.size() && !labels.empty(); ++place)
     if (isLabelHidden(labels, baseOf(figure.marks[place]).id))
@@ -74,20 +29,6 @@ Figure withoutHiddenLabels(Figure figure, const LabelsByHand &labels) {
         baseOf(mark).label.clear();
       });
   return figure;
-}
-
-/// The outcome of what cannot be told now, for a reason.
-std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
-  return std::make_shared<const Outcome>(Outcome{{},
-                                                 Lazy<CaseWords>([reason] {
-                                                   return CaseWords{"missing-object", reason, true};
-                                                 }),
-                                                 nothing<std::vector<NamedValue>>(),
-                                                 nothing<Explanation>(),
-                                                 nothing<Figure>(),
-                                                 nothing<std::vector<SpecialCase>>(),
-                                                 nothing<Crossings>(),
-                                                 nullptr});
 }
 
 bool areSame(const std::vector<SharedGiven> &a, const std::vector<SharedGiven> &b) {
@@ -186,21 +127,39 @@ private:
       else
         setCoordinate(object, index, std::get<FormulaValue>(value));
     }
-    const auto given = shared(letters().derived(name, withoutBounds(std::move(object))), look);
+    Given<Object> made = letters().derived(name, withoutBounds(std::move(object)));
+    takeLetters(derived, made);
+    const auto given = shared(std::move(made), look);
     EvaluatedEntry found{name, {}, Naming{name}, {given}};
     found.missing = missing.empty() ? whyNotThere(*given, fault) : missing;
     if (!takeOver(found))
-      found.outcome = found.missing.empty() ? outcomeOfDerived(given) : withoutAnObject(found.missing);
+      found.outcome =
+          found.missing.empty() ? outcomeOfDerived(given, derived) : withoutAnObject(found.missing);
     found.offers = {{"", found.looksAt.front(), found.missing}};
     return found;
   }
 
+  /// A coordinate that is another object's, or one of its coordinates, has that one's letter.
+  void takeLetters(const DerivedObject &derived, Given<Object> &made) const {
+    for (std::size_t i = 0; i < derived.coordinates.size(); ++i) {
+      const Formula &formula = derived.coordinates[i];
+      if (formula.kind != FormulaKind::Name || coordinatesOf(made.object)[i].goesByObject())
+        continue;
+      const auto place =
+          coordinateNamed(formula.name, [&](std::string_view id) { return kindOfOffered(id); });
+      if (place)
+        made.letters[i] = findOffered(m_found, place->object)->given->letters[place->index];
+    }
+  }
+
+  [[nodiscard]] const Kind *kindOfOffered(std::string_view id) const {
+    const OfferedObject *object = findOffered(m_found, id);
+    return object ? &object->given->object.kind() : nullptr;
+  }
+
   /// What a name in a formula stands for; and why it is not there now, where it is not.
   [[nodiscard]] std::optional<FormulaValue> valueNamed(std::string_view name, std::string &whyNot) const {
-    const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
-      const OfferedObject *object = findOffered(m_found, id);
-      return object ? &object->given->object.kind() : nullptr;
-    });
+    const auto place = coordinateNamed(name, [&](std::string_view id) { return kindOfOffered(id); });
     if (!place)
       return {};
     const OfferedObject *object = findOffered(m_found, place->object);

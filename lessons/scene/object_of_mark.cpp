@@ -18,9 +18,9 @@ std::string objectOfMark(const Evaluation &evaluation, std::string_view mark) {
   if (!entry)
     return {};
   const std::string_view made = madeNameIn(mark);
-  const bool isMade = entry->isConstruction() &&
-                      std::any_of(entry->offers.begin(), entry->offers.end(),
-                                  [&](const OfferedObject &each) { return each.name == made; });
+  const bool isMade =
+      entry->isConstruction() && std::any_of(entry->offers.begin(), entry->offers.end(),
+                                             [&](const OfferedObject &each) { return each.name == made; });
   return isMade ? entry->name + "." + std::string(made) : entry->name;
 }
 

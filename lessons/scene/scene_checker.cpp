@@ -50,15 +50,16 @@ std::optional<Problem> checkTwice(const ConstructionUse &use) {
   return {};
 }
 
-/// Whether the entry can look as it is to look: what is not drawn has no look, and a construction's marks have
-/// the colours of what they speak of.
+/// Whether the entry can look as it is to look: what is not drawn has no look, and a construction's marks
+/// have the colours of what they speak of.
 std::optional<Problem> checkLook(const Entry &entry) {
   const bool isObject = kindOf(entry) != nullptr;
   const bool isSeen = isDrawn(entry);
   if (entry.color && !(isObject && isSeen))
     return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
   if (entry.isHidden && !isSeen)
-    return problemWith(hiddenField, words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));
+    return problemWith(hiddenField,
+                       words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));
   if (entry.isLocked && !(isObject && isSeen))
     return problemWith(lockedField, words("No hand moves “{name}” anyway.", {{"name", entry.name}}));
   return {};

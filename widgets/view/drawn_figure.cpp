@@ -68,6 +68,13 @@ void DrawnFigure::setHighlighted(const std::set<std::string> &markIds) {
   emit changed();
 }
 
+void DrawnFigure::setShownParts(const ShownParts &shown) {
+  if (shown == m_parts)
+    return;
+  m_parts = shown;
+  emit changed();
+}
+
 void DrawnFigure::setNumbersHidden(bool hidden) {
   if (std::exchange(m_areNumbersHidden, hidden) != hidden)
     emit changed();
@@ -85,6 +92,7 @@ SceneContent DrawnFigure::pictureContent() const {
   content.stage = m_stage;
   content.figure = m_figure;
   content.labels = m_model.session().scene.labels;
+  content.shown = m_parts;
   content.hasShadows = m_model.lesson().hasShadows;
   if (m_areNumbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));

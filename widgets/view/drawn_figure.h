@@ -28,6 +28,9 @@ public:
   /// The marks that stand out, as those that are hovered here or in a line.
   void setHighlighted(const std::set<std::string> &markIds);
   [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
+  /// What is drawn of all that there is.
+  void setShownParts(const ShownParts &shown);
+  [[nodiscard]] const ShownParts &shownParts() const { return m_parts; }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   [[nodiscard]] bool areNumbersHidden() const { return m_areNumbersHidden; }
@@ -58,6 +61,7 @@ private:
   Figure m_figure;
   Figure m_ghost;
   std::set<std::string> m_highlighted;
+  ShownParts m_parts;
   bool m_areNumbersHidden = false;
   MarkFade m_fade;
   ExtentGlide m_extents;

@@ -11,6 +11,16 @@
 namespace halfspace {
 namespace {
 
+/// How long the normal is drawn of a plane that follows others, where only its direction was meant.
+constexpr double drawnNormal = 2.5;
+
+ArrowMark normalOf(const Given<Object> &given) {
+  ArrowMark normal = arrowMark(given, 1, Subject::Plane);
+  if (!given.isFree)
+    normal.drawnLength = drawnNormal;
+  return normal;
+}
+
 std::vector<Mark> draw(const Given<Object> &given) {
   const Given<PlaneObject> plane = as<PlaneObject>(given);
   const auto &[point, normal] = plane.object;
@@ -19,7 +29,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
     MarkBase patch = wholeOf(given, Subject::Plane);
     patch.numbers = "\\colon\\ {" + latexOf(equationOf(termsOf(plane))) + "}";
     marks.push_back(PlanePatchMark{std::move(patch), place(point), place(normal), {}});
-    marks.push_back(arrowMark(given, 1, Subject::Plane));
+    marks.push_back(normalOf(given));
   }
   marks.push_back(pointMark(given, 0, Subject::Plane));
   return marks;
