@@ -2,6 +2,7 @@
 
 #include "widgets/explore/discovery_box.h"
 #include "widgets/explore/fits_box.h"
+#include "widgets/explore/number_slider.h"
 #include "widgets/scene_selection.h"
 
 #include <QLabel>
@@ -17,7 +18,7 @@ constexpr QMargins panelMargins(14, 10, 14, 6);
 ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
     : QWidget(parent), m_model(model), m_selection(new SceneSelection(this)),
       m_edits(new EntryEdits(model, this)), m_list(new EntryList(model, *m_selection, *m_edits)),
-      m_fits(new FitsBox(model, *m_selection, *m_edits)),
+      m_slider(new NumberSlider(model)), m_fits(new FitsBox(model, *m_selection, *m_edits)),
       m_discoveries(new DiscoveryBox(model, *m_selection)), m_welcome(new QLabel) {
   setObjectName("explorePanel");
   m_welcome->setObjectName("exploreWelcome");
@@ -32,10 +33,15 @@ ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
   auto *column = new QVBoxLayout(this);
   column->setContentsMargins(panelMargins);
   column->addWidget(m_list, 1);
+  column->addWidget(m_slider);
   column->addWidget(m_fits);
   column->addWidget(m_discoveries);
   column->addWidget(m_welcome, 1);
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePanel::showScene);
+  connect(m_selection, &SceneSelection::changed, m_slider, [this] {
+    const auto &ids = m_selection->ids();
+    m_slider->setNumber(ids.size() == 1 ? ids.front() : std::string());
+  });
   showScene();
 }
 

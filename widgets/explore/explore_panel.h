@@ -9,6 +9,7 @@ namespace halfspace {
 
 class DiscoveryBox;
 class FitsBox;
+class NumberSlider;
 
 /// The list of what is in the scene, with words in its place while there is nothing, and what can be made of
 /// it. It has what is selected there, and what is done there.
@@ -31,6 +32,7 @@ private:
   SceneSelection *m_selection;
   EntryEdits *m_edits;
   EntryList *m_list;
+  NumberSlider *m_slider;
   FitsBox *m_fits;
   DiscoveryBox *m_discoveries;
   QLabel *m_welcome;
