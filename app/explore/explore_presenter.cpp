@@ -11,6 +11,7 @@
 
 #include <QGuiApplication>
 #include <QMenu>
+#include <QSplitter>
 
 #include <algorithm>
 #include <utility>
@@ -36,6 +37,8 @@ void ExplorePresenter::takeLesson() {
   m_pinned.clear();
   m_selection.set({});
   m_panels.explore().setVisible(isExplore(m_model));
+  if (isExplore(m_model))
+    m_panels.side().setSizes({1000, 1000}); // halves: only their ratio counts
   showWorkings();
 }
 

@@ -121,23 +121,31 @@ void FieldPresenter::suggest() {
   if (m_edited.empty())
     m_bar.say({});
   std::vector<Offer> offers;
+  if (!isLine(m_bar.text()))
+    addCommands(offers);
+  // Several words without a sign of a line are a command; one can be both.
+  if (offers.empty() || !m_bar.text().trimmed().contains(' '))
+    addCompletions(offers);
+  offer(std::move(offers), !isLine(m_bar.text()) && !m_bar.text().trimmed().isEmpty());
+}
+
+void FieldPresenter::addCompletions(std::vector<Offer> &offers) {
   const std::string line = m_bar.text().toStdString();
   const auto cursor = static_cast<std::size_t>(m_bar.text().left(m_bar.cursor()).toUtf8().size());
+  std::vector<Offer> completions;
   for (const LineCompletion &completion :
        completionsOf(line, cursor, above(), language().decimalMark, mostCompletions)) {
     const QString whole = QString::fromStdString(completion.line);
     const EntryField::Part selected =
         partOf(completion.line, {{}, completion.selectedAt, completion.selectedLength});
-    offers.push_back({{whole, QString::fromStdString(completion.description)},
-                      [this, whole, selected] {
-                        m_bar.setText(whole, selected);
-                        offer({}, false);
-                      },
-                      whole});
+    completions.push_back({{whole, QString::fromStdString(completion.description)},
+                           [this, whole, selected] {
+                             m_bar.setText(whole, selected);
+                             offer({}, false);
+                           },
+                           whole});
   }
-  if (!isLine(m_bar.text()))
-    addCommands(offers);
-  offer(std::move(offers), !isLine(m_bar.text()) && !m_bar.text().trimmed().isEmpty());
+  offers.insert(offers.begin(), completions.begin(), completions.end()); // they are what is typed mostly
 }
 
 void FieldPresenter::addCommands(std::vector<Offer> &offers) {

@@ -46,6 +46,7 @@ private:
 
   void show();
   void suggest();
+  void addCompletions(std::vector<Offer> &offers);
   void addCommands(std::vector<Offer> &offers);
   void offer(std::vector<Offer> offers, bool isFirstChosen);
   void enter();

@@ -21,8 +21,8 @@ namespace halfspace {
 namespace {
 
 // Of the height beside the scene in Explore.
-constexpr int listShare = 2;
-constexpr int pageShare = 3;
+constexpr int listShare = 1;
+constexpr int pageShare = 1;
 
 } // namespace
 

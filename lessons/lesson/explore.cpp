@@ -31,7 +31,7 @@ LessonStep stepShowing(const std::vector<std::string> &constructions) {
   if (lines.ids.empty())
     lines.ids.emplace_back(noLines);
   LessonStep step{{}, {std::move(lines)}};
-  step.drawsAll = true;
+  step.drawsAllResults = true;
   return step;
 }
 

@@ -11,8 +11,8 @@ inline constexpr const char *exploreId = "explore";
 /// It begins empty, has no steps, and is in no folder: every library knows it.
 [[nodiscard]] const Lesson &exploreLesson();
 
-/// What is shown of it in the place of a step: all of the scene, with the lines of these constructions; of
-/// none, no lines.
+/// What is shown of it in the place of a step: what is given, the lines of these constructions with all that
+/// they draw, and of the others what comes out.
 [[nodiscard]] LessonStep stepShowing(const std::vector<std::string> &constructions);
 
 } // namespace halfspace

@@ -178,7 +178,8 @@ struct LessonStep {
   /// The marks that its figure has besides the given ones and those that its lines speak of, named as lines
   /// are.
   std::vector<std::string> drawn{};
-  bool drawsAll = false;         ///< it has all marks, whatever its lines are
+  /// It has the results of all constructions, and all marks of those whose lines it shows.
+  bool drawsAllResults = false;
   std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
   std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
   std::vector<TaughtTerm> terms{};

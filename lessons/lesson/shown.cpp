@@ -146,6 +146,15 @@ void keepNamed(const Marks &named, Figure &figure) {
   });
 }
 
+/// Leaves of a figure the given marks, the results, and all of these entries.
+void keepResults(const std::unordered_set<std::string> &entries, Figure &figure) {
+  figure.marks.eraseIf([&](const Mark &mark) {
+    const MarkBase &base = baseOf(mark);
+    return base.role != Role::Given && base.role != Role::Result &&
+           !entries.contains(std::string(entryOfMark(base.id)));
+  });
+}
+
 /// Where a ray's thin line ends would tell what it meets.
 void letRaysRunOn(Figure &figure) {
   for (std::size_t place = 0; place < figure.marks.size(); ++place)
@@ -186,7 +195,9 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
   if (question == Question::Open) {
     keepNamed({}, figure);
     letRaysRunOn(figure);
-  } else if (!lines.empty() && !step.drawsAll) {
+  } else if (step.drawsAllResults) {
+    keepResults(spokenOf, figure);
+  } else if (!lines.empty()) {
     Marks named = marksNamedIn(shown.working);
     named.merge(marksDrawn(step.drawn, figure));
     keepNamed(named, figure);

@@ -16,10 +16,13 @@ std::string coordinateText(const Given<Object> &given, std::size_t index) {
   return plainText(termOf(value.value).value());
 }
 
-std::string coordinatesText(const Given<Object> &given) {
+/// Of all coordinates but those that are others' own, whose numbers stand there.
+std::string coordinatesText(const Given<Object> &given, const DerivedObject *derived) {
   const auto &specs = coordinatesOf(given.object);
   std::string text;
   for (std::size_t index = 0; index < given.object.size(); ++index) {
+    if (derived && !specs[index].goesByObject() && derived->coordinates[index].kind == FormulaKind::Name)
+      continue;
     text += text.empty() ? "" : ", ";
     if (!specs[index].goesByObject())
       text += plainText(given.letters[index]) + " = ";
@@ -28,10 +31,10 @@ std::string coordinatesText(const Given<Object> &given) {
   return text;
 }
 
-std::string objectText(const Given<Object> &given) {
+std::string objectText(const Given<Object> &given, const DerivedObject *derived = nullptr) {
   if (kindOf(given.object) == PlaneObject::kind)
     return plainText(equationOf(termsOf(as<PlaneObject>(given))));
-  return given.object.shape() ? std::string() : coordinatesText(given);
+  return given.object.shape() ? std::string() : coordinatesText(given, derived);
 }
 
 /// The value that goes by the construction's own name or word, `signed_distance` or `distance`; where its
@@ -75,7 +78,8 @@ EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char de
   const EvaluatedEntry *evaluated = evaluation.find(entry.name);
   if (!evaluated || !evaluated->missing.empty() || tellsItself(entry, line))
     return summary;
-  summary.value = kind ? valueOf(evaluated->offers.front())
+  const auto *derived = std::get_if<DerivedObject>(&entry.content);
+  summary.value = kind ? objectText(*evaluated->offers.front().given, derived)
                        : mainValue(*evaluated->outcome, *findConstruction(evaluated->construction));
   return summary;
 }

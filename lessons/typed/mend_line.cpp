@@ -107,8 +107,8 @@ private:
   void addNearWords() {
     std::vector<std::string> known = m_names.names();
     known.insert(known.end(), callWords().begin(), callWords().end());
-    for (const std::string_view word : {std::string_view(stepWord), std::string_view(hiddenField),
-                                        std::string_view(lockedField)})
+    for (const std::string_view word :
+         {std::string_view(stepWord), std::string_view(hiddenField), std::string_view(lockedField)})
       known.emplace_back(word);
     for (const std::string &color : hueNames())
       known.push_back(color);

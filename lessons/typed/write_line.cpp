@@ -13,6 +13,19 @@
 namespace halfspace {
 namespace {
 
+/// The three points whose plane has these coordinates: A and (B − A) × (C − A).
+std::optional<std::vector<Formula>> pointsOfPlane(const std::vector<Formula> &coordinates) {
+  const Formula &point = coordinates.front();
+  const Formula &normal = coordinates.back();
+  const auto leadsFromPoint = [&](const Formula &way) {
+    return way.kind == FormulaKind::Difference && way.parts[1] == point;
+  };
+  if (normal.kind != FormulaKind::Cross || !leadsFromPoint(normal.parts[0]) ||
+      !leadsFromPoint(normal.parts[1]))
+    return {};
+  return std::vector{point, normal.parts[0].parts[0], normal.parts[1].parts[0]};
+}
+
 /// Puts the text of a line together.
 class LineText {
 public:
@@ -76,6 +89,8 @@ private:
       return text(last);
     if (kind.word == VectorObject::kind && !isNamedAsPoint && coordinates.front() == formulaOf(ExactVec3(0)))
       return text(last);
+    if (const auto points = kind.word == PlaneObject::kind ? pointsOfPlane(coordinates) : std::nullopt)
+      return call(std::string(kind.word), *points);
     return call(std::string(kind.word), coordinates);
   }
 

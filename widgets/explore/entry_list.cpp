@@ -17,8 +17,6 @@ namespace {
 
 /// The side of a swatch of colour in a menu, in pixels.
 constexpr int swatchSize = 12;
-/// A name has room for so many letters at first.
-constexpr int lettersInName = 12;
 
 QIcon swatchOf(const QColor &color) {
   QPixmap swatch(swatchSize, swatchSize);
@@ -61,8 +59,9 @@ EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits 
   setUniformRowHeights(true);
   setSelectionMode(ExtendedSelection);
   setEditTriggers(EditKeyPressed);
-  header()->setStretchLastSection(true);
-  header()->resizeSection(EntryRows::Name, lettersInName * fontMetrics().averageCharWidth());
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(QHeaderView::Stretch);
+  header()->setSectionResizeMode(EntryRows::Name, QHeaderView::ResizeToContents);
   connect(&selection, &SceneSelection::changed, this, &EntryList::followSelection);
   connect(m_rows, &EntryRows::modelReset, this, &EntryList::followSelection);
   connect(this, &EntryList::doubleClicked, this, &EntryList::askForLine);

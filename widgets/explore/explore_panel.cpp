@@ -5,13 +5,47 @@
 #include "widgets/explore/number_slider.h"
 #include "widgets/scene_selection.h"
 
+#include <QEvent>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
 
 constexpr QMargins panelMargins(14, 10, 14, 6);
+/// The list has room for so many rows, whatever stands below it.
+constexpr int fewestRows = 5;
+/// What can be made of the selection has so much room, in lines of type; what is more is scrolled.
+constexpr int mostLinesOfFits = 9;
+
+/// A part that is as high as what is in it, up to a height beyond which it is scrolled.
+class LowScroll : public QScrollArea {
+public:
+  explicit LowScroll(QWidget &content) {
+    setWidget(&content);
+    setWidgetResizable(true);
+    setFrameShape(NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    const int width = std::max(viewport()->width(), 1);
+    const int high =
+        widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
+    return {width, std::min(high, mostLinesOfFits * fontMetrics().lineSpacing())};
+  }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
+
+protected:
+  bool eventFilter(QObject *watched, QEvent *event) override {
+    if (event->type() == QEvent::LayoutRequest)
+      updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 } // namespace
 
@@ -34,8 +68,13 @@ ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
   column->setContentsMargins(panelMargins);
   column->addWidget(m_list, 1);
   column->addWidget(m_slider);
-  column->addWidget(m_fits);
-  column->addWidget(m_discoveries);
+  auto *below = new QWidget;
+  auto *offers = new QVBoxLayout(below);
+  offers->setContentsMargins(0, 0, 0, 0);
+  offers->addWidget(m_fits);
+  offers->addWidget(m_discoveries);
+  column->addWidget(new LowScroll(*below));
+  m_list->setMinimumHeight(fewestRows * 2 * fontMetrics().lineSpacing());
   column->addWidget(m_welcome, 1);
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePanel::showScene);
   connect(m_selection, &SceneSelection::changed, m_slider, [this] {

@@ -26,13 +26,19 @@ TEST(EntrySummary, OfWhatTellsItself_HasNoValueBesides) {
 TEST(EntrySummary, OfAPlaneByAPointAndOfWhatFollowsOthers_IsWhatTheyComeTo) {
   EXPECT_EQ(summaryOfLast("E = plane((1, 1, 1), (1, 2, 2))"),
             Told("plane((1, 1, 1), (1, 2, 2))", "x + 2y + 2z − 5 = 0"));
-  EXPECT_EQ(summaryOfLast("A = (1, 2, 3)\nM = A/2"), Told("A / 2", "(1/2, 1, 3/2)"));
+  EXPECT_EQ(summaryOfLast("A = (1, 2, 3)\nM = A/2"), Told("A/2", "(1/2, 1, 3/2)"));
+}
+
+TEST(EntrySummary, OfWhatGoesThroughPoints_NamesThem_WithoutTheirNumbers) {
+  const std::string points = "A = (1, 2, 3)\nB = (7, 1, 0)\nC = (2, 6, 1)\n";
+  EXPECT_EQ(summaryOfLast(points + "E = plane(A, B, C)"), Told("plane(A, B, C)", "14x + 9y + 25z − 107 = 0"));
+  EXPECT_EQ(summaryOfLast(points + "T = triangle(A, B, C)"), Told("triangle(A, B, C)", ""));
+  EXPECT_EQ(summaryOfLast(points + "T = triangle(A, B, 2C)"), Told("triangle(A, B, 2C)", "P₂ = (4, 12, 2)"));
 }
 
 TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
   const std::string objects = "E: x + 2y + 2z = 27\nQ = (11, 15, 8)\n";
-  EXPECT_EQ(summaryOfLast(objects + "d = distance(E, Q)"),
-            Told("signed-distance(E, Q)", "signed distance = 10"));
+  EXPECT_EQ(summaryOfLast(objects + "d = distance(E, Q)"), Told("signed-distance(E, Q)", "dist = 10"));
 }
 
 TEST(EntrySummary, OfWhatIsNotThere_HasNoValue) {
