@@ -1,6 +1,7 @@
 // Two planes, by Plücker coordinates.
 #pragma once
 
+#include "geometry/angle.h"
 #include "geometry/line.h"
 #include "geometry/plane.h"
 
@@ -11,9 +12,9 @@ enum class PlanePlaneCase { Line, Parallel, Coincident, ZeroNormal };
 /// What two planes have in common.
 template <class Scalar> struct PlanePlane {
   PlanePlaneCase which = PlanePlaneCase::ZeroNormal;
-  Root<Scalar> cosine{};  ///< of the angle between the normals
-  Line<Scalar> line{};    ///< {n1×n2 : d1·n2 − d2·n1}; set only for Line
-  Vec3<Scalar> nearest{}; ///< the line's point nearest to the origin; set only for Line
+  Root<Scalar> cosine{};   ///< of the angle between the normals
+  Line<Scalar> line{};     ///< {n1×n2 : d1·n2 − d2·n1}; set only for Line
+  Vec3<Scalar> nearest{};  ///< the line's point nearest to the origin; set only for Line
 };
 
 /// Intersects two planes (note PL). The line's direction is n1×n2. Coincident planes may have normals of
@@ -28,8 +29,7 @@ template <class Scalar>
   PlanePlane<Scalar> result;
   if (isZero(a.normal) || isZero(b.normal))
     return result;
-  result.cosine =
-      overRoot(dot(a.normal, b.normal), Scalar(dot(a.normal, a.normal) * dot(b.normal, b.normal)));
+  result.cosine = cosineBetween(a.normal, b.normal);
   const Vec3<Scalar> direction = cross(a.normal, b.normal);
   const Vec3<Scalar> moment = b.normal * a.offset - a.normal * b.offset;
   if (isZero(direction)) {

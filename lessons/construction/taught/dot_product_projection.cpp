@@ -1,4 +1,5 @@
 // The dot product of two vectors, and what each is along the other and across it (notes PG 6.1 and RP).
+#include "geometry/angle.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/two_vectors.h"
 #include "lessons/construction/parts/value_words.h"
@@ -19,12 +20,6 @@ struct In : Naming {
 /// What becomes of a vector's letter when another is projected onto it.
 Term primeOf(const Given<VectorObject> &onto, const ExactVec3 &projection, const std::string &mark) {
   return name(primed(onto.letters[1]), projection).marked(mark);
-}
-
-/// 0 where there is no angle.
-Surd cosineBetween(const ExactVec3 &v, const ExactVec3 &w) {
-  const Rational squares = dot(v, v) * dot(w, w);
-  return squares == 0 ? Surd() : overRoot(dot(v, w), squares);
 }
 
 /// The unit vector of a direction; the zero vector has none.
