@@ -66,6 +66,8 @@ public:
       m_drawnVectors.push_back(*vector);
     else if (isLit() && kindOf(object) == PointObject::kind)
       m_light->keepPoint();
+    else
+      m_drawnPoint = objectAs<PointObject>(object);
   }
 
 private:
@@ -255,12 +257,14 @@ private:
   }
 
   /// At random; straight above, in or below what it looks for, beside a line or on it; in the plane of a
-  /// triangle.
+  /// triangle. Where there are points alone, now and then where the one before is.
   void draw(PointObject &point) {
     if (isLit())
       return m_light->draw(point);
     point.at = m_dice.position();
     const Net *net = aim();
+    if (!net && m_drawnPoint && m_dice.once(alongOnceIn))
+      point = *m_drawnPoint;
     if (!net || m_dice.once(freelyOnceIn))
       return;
     if (net->size > 0) {
@@ -321,7 +325,8 @@ private:
   std::vector<Net> m_nets;
   std::optional<Net> m_face; ///< of the object that was drawn last, where one is looked for
   std::vector<VectorObject> m_drawnVectors;
-  std::optional<SphereObject> m_sphere; ///< the last
+  std::optional<SphereObject> m_sphere;    ///< the last
+  std::optional<PointObject> m_drawnPoint; ///< the object before, where it is a point
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "tests/test_name.h"
 
 #include "eval/evaluate.h"
+#include "lessons/object/flat.h"
 #include "lessons/scene/file/explain_formats.h"
 #include "tests/effort.h"
 #include "tests/lessons/scenes.h"
@@ -59,8 +60,10 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "dot-product-projection",
                                                "half-spaces",
                                                "line-ray-segment",
+                                               "midpoint",
                                                "plane-parametric",
                                                "point-line",
+                                               "point-point",
                                                "ray-plane-substitution",
                                                "ray-box-slabs",
                                                "reflection",
@@ -447,6 +450,36 @@ TEST(SameAsEval, PointLine_FromThePoint) {
                 toText(point[axis] +
                        *parseRational(nearest.at(static_cast<std::size_t>(axis)).get<std::string>())));
     EXPECT_EQ(explained.at("case") == "on", answered.at("result").at("through_origin"));
+    return 1;
+  });
+}
+
+/// Questions have no two points: one of them lies in a plane straight across the way to the other.
+TEST(SameAsEval, PointPoint_FromThePlaneAcrossTheWay) {
+  compareScenes("point-point", [](const std::vector<Object> &objects, const Json &explained) {
+    const PlaneObject across{objects[0][0], ExactVec3(objects[1][0] - objects[0][0])};
+    const Json answered = answerTo({"point-plane", {"plane", "point"}}, {across, objects[1]});
+    EXPECT_EQ(answered.at("ok"), explained.at("case") == "apart");
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(explained.at("values").at("distance"), answered.at("result").at("signed_distance"));
+    EXPECT_EQ(explained.at("values").at("squared"), answered.at("result").at("f"));
+    return 1;
+  });
+}
+
+/// Halfway along a side of any triangle.
+TEST(SameAsEval, Midpoint_OfATrianglesSide) {
+  compareScenes("midpoint", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 side = objects[1][0] - objects[0][0];
+    EXPECT_EQ(explained.at("case") == "same", isZero(side));
+    if (isZero(side))
+      return 0;
+    const Json corners{numbersOf(objects[0][0]), numbersOf(objects[1][0]),
+                       numbersOf(objects[0][0] + anyPerpendicular(side))};
+    const Json answered =
+        answerTo({{"query", "parametric"}, {"triangle", corners}, {"s", "1/2"}, {"t", "0"}});
+    EXPECT_EQ(explained.at("values").at("point"), answered.at("result").at("point"));
     return 1;
   });
 }

@@ -114,7 +114,8 @@ TEST_P(ShortNumbersOf, everyCase_keepItWithShortCoordinatesAndResults) {
       expectWithinReach(renewed);
       different.insert(textOf(renewed));
     }
-    EXPECT_GT(different.size(), seeds * 0.95); // now and then two agree
+    // Now and then two agree, most often where all that there is is one point.
+    EXPECT_GT(different.size(), seeds * 0.9);
   }
 }
 
