@@ -1,10 +1,10 @@
 // How far a point is from a plane, and on which side (notes PG 3.4 and 3.5, figure 1).
+#include "geometry/angle.h"
 #include "geometry/case_names.h"
-#include "geometry/point_plane.h"
+#include "lessons/construction/parts/point_at_plane.h"
 #include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/flat.h"
-#include "lessons/object/kinds/plane.h"
 #include "lessons/term/angle.h"
 
 #include <algorithm>
@@ -12,37 +12,19 @@
 namespace halfspace {
 namespace {
 
-struct In : Naming {
-  Given<PlaneObject> E;
-  Given<PointObject> Q;
-};
+struct Out : MeasuredPoint {
+  explicit Out(const PointAtPlane &objects) : MeasuredPoint(objects) {}
 
-/// Of the angle between the plane's normal and the way to the point.
-Surd cosineOf(const PointPlane<Rational> &measured, const ExactVec3 &way) {
-  return overRoot(measured.f, Rational(measured.normalSquared * dot(way, way)));
-}
-
-struct Out : Computed<In>, PlaneTerms {
-  explicit Out(const In &objects) : Computed(objects), PlaneTerms(termsOf(objects.E)) {}
-
-  PointPlane<Rational> measured =
-      measurePointPlane(in.Q.object.at, planeThrough(in.E.object.point, in.E.object.normal));
-  PointPlaneCase which = measured.which;
-  bool hasPlane = which != PointPlaneCase::ZeroNormal;
   ExactVec3 way = in.Q.object.at - in.E.object.point;
   bool hasAngle = hasPlane && !isZero(way);
   /// How many times n leads from the plane to the height of the point.
   Rational steps = hasPlane ? Rational(measured.f / measured.normalSquared) : Rational(0);
 
-  Term Q = termOf(in.Q);
-  Term f = applied(own(letter("f")), Q, measured.f);
   Term w = drawnName(vectorLetter("w"), way).standingFor(Q - P0);
-  Term dist = ownName(word("dist"), measured.signedDistance).marked(mark("distance"));
-  Term F = madeName("F", measured.foot);
   /// As high as Q on the gauge, which stands on P0 along n.
   Term M = drawnName(letter("M"), ExactVec3(in.E.object.point + in.E.object.normal * steps));
   Term theta = ownName(letter("θ"), std::nullopt).marked(mark("theta"));
-  Term cosine = applied(word("cos"), theta, hasAngle ? cosineOf(measured, way) : Surd());
+  Term cosine = applied(word("cos"), theta, cosineBetween(in.E.object.normal, way));
 };
 
 CaseWords tell(const Out &at) {
@@ -77,26 +59,6 @@ std::string sideWords(const Out &at) {
 
 WorkingLine sideLine(const Out &at) { return line(compared(at.f, 0), sideWords(at)); }
 
-std::string distanceWords(const Out &at) {
-  if (at.which == PointPlaneCase::On)
-    return words("f({Q}) is 0, and so is the distance: 0 divided by any length is 0.", at.letters);
-  if (isUnit(at.n))
-    return words("Because |{n}| = 1, f({Q}) is the signed distance already.", at.letters);
-  return words("{f} is not the distance: {n} is {length} long, so f({Q}) is {length} times the distance.",
-               at.letters, {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
-}
-
-WorkingLine distanceLine(const Out &at) {
-  const auto &letters = at.letters;
-  return asked(
-      withNumbers(at.dist == at.f / norm(at.n)), distanceWords(at),
-      {{at.f, words("{answer} is f({Q}): {n} is not normalized, so divide by |{n}|.", letters)},
-       {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f({Q}).", letters)},
-       {norm(at.f), words("{answer} is f({Q}) without its sign, and not divided by |{n}| either.", letters)},
-       {at.f / dot(at.n, at.n),
-        words("{answer} is f({Q})/({n}·{n}): divide by the root of {n}·{n}, |{n}|.", letters)}});
-}
-
 WorkingLine cosineLine(const Out &at) {
   return asked(
       withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
@@ -105,14 +67,6 @@ WorkingLine cosineLine(const Out &at) {
             at.letters, {{"degrees", relatedText(degreesOf(at.cosine))}}),
       {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
        {dot(at.n, at.w), words("{answer} is {n}·w: divide by both lengths.", at.letters)}});
-}
-
-WorkingLine valueLine(const Out &at) {
-  return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               at.hasPlane ? words("Zero in the plane, positive on the side that {n} points to.", at.letters)
-                           : zeroWithoutPlane(at),
-               {{dot(at.n, at.Q),
-                 words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }
 
 /// Whether one unit along the x-axis leads the point nearer to the plane.
@@ -194,8 +148,7 @@ Figure draw(const Out &at) {
   Figure figure;
   const Place q = place(at.Q);
   const Place p0 = place(at.P0);
-  const Place foot = at.hasPlane ? place(at.F) : p0;
-  figure.reaches.push_back({at.in.E.id, foot});
+  figure.reaches.push_back({at.in.E.id, at.hasPlane ? place(at.F) : p0});
   if (!isZero(at.way))
     figure.add(arrowOf(at.w, p0, Role::Derived, Subject::Point));
   if (!at.hasPlane)
@@ -206,11 +159,7 @@ Figure draw(const Out &at) {
   drawGauge(figure, at);
   if (at.which == PointPlaneCase::On)
     return figure;
-  MarkBase distance = drawn(at.dist, Role::Result, Subject::Measure);
-  distance.numbers = relatedLatex(calculated(at.dist));
-  figure.add(SegmentMark{std::move(distance), foot, q});
-  figure.add(
-      RightAngleMark{{at.F->mark + "/angle", Role::Helper, Subject::Measure}, foot, q - foot, p0 - foot});
+  drawDistance(figure, at);
   return figure;
 }
 
@@ -249,9 +198,7 @@ Construction signed_distance() {
                  {"length", &Out::hasPlane, lengthLine},
                  {"distance", &Out::hasPlane, distanceLine},
                  {"cosine", &Out::hasAngle, cosineLine},
-                 {"foot", &Out::hasPlane,
-                  [](const Out &at) { return withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n); },
-                  says("The foot: from {Q} straight along {n} to the plane, its nearest point.")}},
+                 {"foot", &Out::hasPlane, footLine}},
        .marks = {"w", "theta", "F", "M", "distance"},
        .tell = tell,
        .draw = draw,

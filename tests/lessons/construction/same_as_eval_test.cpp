@@ -46,6 +46,7 @@ const std::map<std::string, Question> &questions() {
       {"line-pluecker", {"line", {"line"}}},
       {"line-line", {"line-line", {"line", "line2"}}},
       {"line-plane", {"line-plane", {"line", "plane"}}},
+      {"mirror-point", {"point-plane", {"plane", "point"}}},
       {"ray-polygon-pluecker", {"ray-polygon", {"polygon", "ray"}}},
       {"ray-solid-pluecker", {"ray-solid", {"solid", "ray"}}},
   };
