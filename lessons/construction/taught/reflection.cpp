@@ -1,8 +1,10 @@
 // How a plane reflects a ray, and how bright the ray makes it as light: the part of the direction along the
 // normal, which turns round, the part across, which stays, and the angles of both rays with the normal.
+#include "geometry/angle.h"
 #include "geometry/case_names.h"
 #include "geometry/project_vector.h"
 #include "geometry/reflect_vector.h"
+#include "lessons/construction/parts/mirror_lines.h"
 #include "lessons/construction/parts/ray_at_plane.h"
 #include "lessons/construction/taught.h"
 #include "lessons/term/angle.h"
@@ -15,12 +17,6 @@ struct In : Naming {
   Given<PlaneObject> E;
   Given<RayObject> L;
 };
-
-/// Of the angle between two directions; 0 where there is none.
-Surd cosineBetween(const ExactVec3 &a, const ExactVec3 &b) {
-  const Rational squares = dot(a, a) * dot(b, b);
-  return squares == 0 ? Surd() : overRoot(dot(a, b), squares);
-}
 
 struct Out : Computed<In>, PlaneTerms, RayTerms {
   explicit Out(const In &objects)
@@ -43,7 +39,7 @@ struct Out : Computed<In>, PlaneTerms, RayTerms {
   Term rPrime = atH(primed(in.L.letters[1]), turned, "rprime");
   Term theta = atH(letter("θ"), std::nullopt, "theta");
   Term thetaPrime = atH(primed(letter("θ")), std::nullopt, "thetaprime");
-  Term cosine = applied(word("cos"), theta, cosineBetween(-direction, normal));
+  Term cosine = applied(word("cos"), theta, cosineBetween(ExactVec3(-direction), normal));
   Term cosinePrime = applied(word("cos"), thetaPrime, cosineBetween(turned, normal));
   Term brightness = norm(product) / (norm(r) * norm(n));
 
@@ -151,21 +147,7 @@ WorkingLine turnedLine(const Out &at) {
       {{at.h + at.a, words("{answer} is {r} again: the part along {n} must change its sign.", at.letters)}});
 }
 
-WorkingLine reflectedLine(const Out &at) {
-  const Term times = timesNormal(at);
-  return asked(withNumbers(at.rPrime == at.r - 2 * times * at.n), reflectedWords(at),
-               {{at.r - times * at.n,
-                 words("{answer} is the part across alone: take the part along {n} away twice.", at.letters)},
-                {at.r + 2 * times * at.n,
-                 words("{answer} is {r} with the part along {n} added: take it away twice.", at.letters)},
-                {at.r - 2 * at.product * at.n,
-                 words("{answer} is right only when |{n}| = 1: divide by {n}·{n}.", at.letters)}});
-}
-
-WorkingLine lengthsLine(const Out &at) {
-  return line({withProducts(dot(at.r, at.r)), withProducts(dot(at.rPrime, at.rPrime))},
-              words("The same number: both are equally long."));
-}
+MirroredDirection mirrored(const Out &at) { return {at.r, at.n, at.rPrime}; }
 
 WorkingLine incidenceLine(const Out &at) {
   return asked(
@@ -204,8 +186,9 @@ LineTable<Out> lines() {
       {"across", &Out::isProper, acrossLine},
       {"check", &Out::isProper, [](const Out &at) { return line(withProducts(dot(at.h, at.n))); }},
       {"turned", &Out::isProper, turnedLine},
-      {"reflected", &Out::isProper, reflectedLine},
-      {"lengths", &Out::isProper, lengthsLine},
+      {"reflected", &Out::isProper,
+       [](const Out &at) { return mirroredLine(mirrored(at), at, reflectedWords(at)); }},
+      {"lengths", &Out::isProper, [](const Out &at) { return sameLengthLine(mirrored(at)); }},
       {"incidence", &Out::isProper, incidenceLine},
       {"departure", &Out::isProper, departureLine},
       {"brightness", &Out::isProper, [](const Out &at) { return withNumbers(at.brightness); },

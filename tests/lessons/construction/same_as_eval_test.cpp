@@ -47,6 +47,7 @@ const std::map<std::string, Question> &questions() {
       {"line-line", {"line-line", {"line", "line2"}}},
       {"line-plane", {"line-plane", {"line", "plane"}}},
       {"mirror-point", {"point-plane", {"plane", "point"}}},
+      {"mirror-ray", {"ray-plane", {"plane", "ray"}}},
       {"ray-polygon-pluecker", {"ray-polygon", {"polygon", "ray"}}},
       {"ray-solid-pluecker", {"ray-solid", {"solid", "ray"}}},
   };
