@@ -1,8 +1,9 @@
 // The line that two planes have in common, by Plücker coordinates (note PL; its point nearest to the origin).
-#include "lessons/object/kinds/plane.h"
 #include "geometry/case_names.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/acute_angle.h"
+#include "lessons/construction/parts/two_planes.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/term/angle.h"
@@ -58,10 +59,7 @@ CaseWords tell(const Out &at) {
   case PlanePlaneCase::ZeroNormal:
     break;
   }
-  return {caseName,
-          words("The normal {zero} is the zero vector: it points nowhere, so there is no plane.",
-                {{"zero", plainText(isZero(vectorOf(at.E.n)) ? at.E.n : at.F.n)}}),
-          true};
+  return zeroNormalsWords(at.E, at.F);
 }
 
 WorkingLine directionLine(const Out &at) {
@@ -98,19 +96,6 @@ WorkingLine angleLine(const Out &at) {
                            {{"degrees", degrees}}));
 }
 
-/// The angle between the normals, both drawn once more from a point of the line.
-void drawAngle(Figure &figure, const Out &at, const Place &point) {
-  const Place first = place(at.E.n);
-  const Place second = place(at.F.n);
-  figure.add(ArcMark{drawn(at.phi, Role::Derived, Subject::Neutral), point, first, second});
-  const auto addNormal = [&](const char *which, const Place &normal, const Look &look) {
-    const MarkBase base{at.phi->mark + which, Role::Ghost, Subject::Plane};
-    figure.add(inLook(look, ArrowMark{base, point, normal, true}));
-  };
-  addNormal("/first", first, at.in.E.look);
-  addNormal("/second", second, at.in.F.look);
-}
-
 Figure draw(const Out &at) {
   Figure figure;
   if (!at.hasLine)
@@ -122,37 +107,33 @@ Figure draw(const Out &at) {
   direction.isFree = true;
   figure.add(std::move(direction));
   figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
-  drawAngle(figure, at, point);
+  addAngle(figure, at.phi, point, {place(at.E.n), Subject::Plane, at.in.E.look},
+           {place(at.F.n), Subject::Plane, at.in.F.look}, at.meet.cosine == Surd(0));
   figure.reaches = {{at.in.E.id, point}, {at.in.F.id, point}};
   return figure;
 }
 
 /// The plane E turned about its point, until its normal is a multiple of the other's or perpendicular to it.
 std::vector<SpecialCase> turned(const Out &at) {
-  std::vector<SpecialCase> all;
-  const auto parts = projectVector(at.in.E.object.normal, at.in.F.object.normal);
-  const ExactVec3 &point = at.in.E.object.point;
-  const bool isInBoth = evaluate(planeThrough(at.in.F.object.point, at.in.F.object.normal), point) == 0;
-  if (!isZero(parts.projection))
-    all.push_back({is("case", isInBoth ? "coincident" : "parallel"),
-                   isInBoth ? words("{E} and {F} would be the same plane.", at.letters)
-                            : words("The planes would be parallel."),
-                   "E", PlaneObject{point, parts.projection}});
-  if (!isZero(parts.rejection) && !isZero(parts.projection))
-    all.push_back({is("cos_angle", "0"), words("The planes would stand at a right angle to each other."), "E",
-                   PlaneObject{point, parts.rejection}});
-  return all;
+  const auto turned = turnedParallel(at.in.E.object, at.in.F.object);
+  if (!turned)
+    return {};
+  const ExactVec3 across = projectVector(at.in.E.object.normal, at.in.F.object.normal).rejection;
+  return {{is("case", turned->isTheOther ? "coincident" : "parallel"),
+           turned->isTheOther ? words("{E} and {F} would be the same plane.", at.letters)
+                              : words("The planes would be parallel."),
+           "E", turned->plane},
+          {is("cos_angle", "0"), words("The planes would stand at a right angle to each other."), "E",
+           PlaneObject{at.in.E.object.point, across}}};
 }
 
 std::vector<SpecialCase> nearby(const Out &at) {
-  const auto &[point, normal] = at.in.E.object;
   switch (at.meet.which) {
   case PlanePlaneCase::Line:
     return turned(at);
   case PlanePlaneCase::Parallel:
     return {{is("case", "coincident"), words("{E} and {F} would be the same plane.", at.letters), "E",
-             PlaneObject{point - projectVector(ExactVec3(point - at.in.F.object.point), normal).projection,
-                         normal}}};
+             slidInto(at.in.E.object, at.in.F.object)}};
   case PlanePlaneCase::Coincident:
   case PlanePlaneCase::ZeroNormal:
     break;

@@ -181,7 +181,8 @@ private:
     aimAt(ExactVec3(sphere.center + reach * Rational(m_dice.between(1, 2))), ray);
   }
 
-  /// Now and then it meets what it looks for in a whole point, lies in it, or is parallel to it.
+  /// Now and then it meets what it looks for in a whole point, lies in it, is parallel to it, or stands
+  /// straight on a plane.
   void draw(LineObject &line) {
     const bool isAlone = m_nets.empty() && m_lines < 2;
     line = {m_dice.position(), isAlone ? m_dice.shortNormal() : m_dice.shortestNormal()};
@@ -190,6 +191,8 @@ private:
     const Net &other = m_nets.front();
     if (m_dice.once(3))
       line.direction = directionAlong(other, m_dice);
+    else if (m_planes > 0 && m_dice.once(alongOnceIn))
+      line.direction = other.normal;
     if (m_dice.once(2))
       line.point = anyPointOf(other, m_dice);
     line.point += line.direction * Rational(m_dice.between(-1, 1));

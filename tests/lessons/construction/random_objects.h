@@ -177,16 +177,18 @@ private:
       makeSpecial(*line.typed, plane.typed ? *plane.typed : PlaneObject{{0, 0, 0}, {0, 0, 1}});
   }
 
-  /// A zero direction, through the origin, in the plane or parallel to it.
+  /// A zero direction, through the origin, in the plane, parallel to it or perpendicular.
   void makeSpecial(LineObject &line, const PlaneObject &plane) {
-    const int choice = integer(0, 5);
+    const int choice = integer(0, 6);
     if (choice == 0)
       line.direction = {0, 0, 0};
     if (choice == 1)
       line.point = line.direction * number();
-    if (choice >= 2)
+    if (choice == 6)
+      line.direction = plane.normal * number();
+    if (choice >= 2 && choice < 6)
       line.direction = vectorAlongPlane(plane.normal);
-    if (choice >= 4)
+    if (choice == 4 || choice == 5)
       line.point = plane.point + vectorAlongPlane(plane.normal);
   }
 
@@ -234,7 +236,7 @@ private:
         second[axis] = line[0][axis];
   }
 
-  /// Parallel, the same, or one without a normal.
+  /// Parallel, the same, perpendicular, or one without a normal.
   void makeSpecialPair(Object &first, Object &second) {
     const int choice = integer(0, 3);
     const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
@@ -244,6 +246,8 @@ private:
       second[0] = first[0] + vectorAlongPlane(first[1]);
     if (choice == 2)
       first[1] = {0, 0, 0};
+    if (choice == 3)
+      second[1] = vectorAlongPlane(first[1]);
   }
 
   /// One zero, along each other, perpendicular, or from one point.

@@ -61,8 +61,11 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "determinant",
                                                "dot-product-projection",
                                                "half-spaces",
+                                               "line-angle",
+                                               "line-plane-angle",
                                                "line-ray-segment",
                                                "midpoint",
+                                               "plane-angle",
                                                "plane-parametric",
                                                "point-line",
                                                "point-point",
@@ -483,6 +486,46 @@ TEST(SameAsEval, Midpoint_OfATrianglesSide) {
         answerTo({{"query", "parametric"}, {"triangle", corners}, {"s", "1/2"}, {"t", "0"}});
     EXPECT_EQ(explained.at("values").at("point"), answered.at("result").at("point"));
     return 1;
+  });
+}
+
+/// What a question says of planes with these normals, which are turned until they are at most 90° apart.
+Json planesAtMostRight(const PlaneObject &first, PlaneObject second) {
+  if (dot(first.normal, second.normal) < 0)
+    second.normal = -second.normal;
+  return answerTo({"plane-plane", {"plane", "plane2"}}, {first, second});
+}
+
+/// Of a construction that has the cosine of such normals among its values.
+int compareCosine(const Json &answered, const Json &explained, const char *value) {
+  EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+  if (!answered.at("ok"))
+    return 0;
+  EXPECT_EQ(explained.at("values").at(value), answered.at("result").at("cos_angle"));
+  return 1;
+}
+
+/// Questions tell the angle of the normals, which may be more than 90°.
+TEST(SameAsEval, PlaneAngle_OfNormalsAtMostRight) {
+  compareScenes("plane-angle", [](const std::vector<Object> &objects, const Json &explained) {
+    return compareCosine(planesAtMostRight(objectAs<PlaneObject>(objects[0]).value(),
+                                           objectAs<PlaneObject>(objects[1]).value()),
+                         explained, "cosine");
+  });
+}
+
+/// Questions have no angle of lines: that of planes straight across them is the same.
+TEST(SameAsEval, LineAngle_OfThePlanesAcross) {
+  compareScenes("line-angle", [](const std::vector<Object> &objects, const Json &explained) {
+    return compareCosine(planesAtMostRight({objects[0][0], objects[0][1]}, {objects[1][0], objects[1][1]}),
+                         explained, "cosine");
+  });
+}
+
+TEST(SameAsEval, LinePlaneAngle_OfThePlaneAcrossTheLine) {
+  compareScenes("line-plane-angle", [](const std::vector<Object> &objects, const Json &explained) {
+    return compareCosine(planesAtMostRight({objects[0][0], objects[0][1]}, {objects[1][0], objects[1][1]}),
+                         explained, "sine");
   });
 }
 
