@@ -15,6 +15,7 @@ template <class Scalar> struct PlanePlane {
   Root<Scalar> cosine{};   ///< of the angle between the normals
   Line<Scalar> line{};     ///< {n1×n2 : d1·n2 − d2·n1}; set only for Line
   Vec3<Scalar> nearest{};  ///< the line's point nearest to the origin; set only for Line
+  Root<Scalar> distance{}; ///< 0 where they meet
 };
 
 /// Intersects two planes (note PL). The line's direction is n1×n2. Coincident planes may have normals of
@@ -24,6 +25,7 @@ template <class Scalar> struct PlanePlane {
 /// (3) k·[n, d] instead of one of them, k ≠ 0, makes the line's numbers k times as large, turns the sign of
 ///     the cosine for k < 0, and changes nothing else.
 /// (4) The cosine is 1 or −1 exactly for Parallel and Coincident.
+/// (5) The distance is that of each point of one plane from the other for Parallel, and 0 for the others.
 template <class Scalar>
 [[nodiscard]] PlanePlane<Scalar> intersectPlanes(const Plane<Scalar> &a, const Plane<Scalar> &b) {
   PlanePlane<Scalar> result;
@@ -34,6 +36,9 @@ template <class Scalar>
   const Vec3<Scalar> moment = b.normal * a.offset - a.normal * b.offset;
   if (isZero(direction)) {
     result.which = isZero(moment) ? PlanePlaneCase::Coincident : PlanePlaneCase::Parallel;
+    // n2 = k·n1 makes the moment (k·d1 − d2)·n1, and the distance is |d1 − d2/k|/|n1|.
+    result.distance = timesRoot(
+        Scalar(1), Scalar(dot(moment, moment) / (dot(a.normal, a.normal) * dot(b.normal, b.normal))));
     return result;
   }
   result.which = PlanePlaneCase::Line;

@@ -2,6 +2,7 @@
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/intersect_ray_plane.h"
+#include "geometry/point_plane.h"
 #include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
@@ -92,6 +93,34 @@ TEST(IntersectPlanes, Cosine_IsThatOfTheNormals) {
   EXPECT_EQ(cosine(ExactVec3(1, 0, 0), ExactVec3(-1, 1, 0)), "-1/2*sqrt(2)");
   EXPECT_EQ(cosine(ExactVec3(1, 2, 2), ExactVec3(2, 3, 6)), "20/21");
   EXPECT_EQ(cosine(ExactVec3(1, 2, 2), ExactVec3(-2, -4, -4)), "-1");
+}
+
+TEST(IntersectPlanes, Distance_IsThatOfEachPointOfOneFromTheOther) { // law (5)
+  RandomNumbers random(613);
+  for (int i = 0; i < test::effort(10'000); ++i) {
+    const Plane<Rational> plane{random.nonZeroWholeVector(3), random.integer(-3, 3)};
+    const Rational k = random.nonZeroRational(3);
+    const ExactVec3 normal = random.integer(0, 3) == 0 ? random.nonZeroWholeVector(3) : plane.normal * k;
+    const Plane<Rational> other{normal, random.integer(0, 1) == 0 ? Rational(plane.offset * k) : k};
+    const auto meet = intersectPlanes(plane, other);
+    if (meet.which != PlanePlaneCase::Parallel) {
+      EXPECT_EQ(meet.distance, Surd(0));
+      continue;
+    }
+    EXPECT_EQ(meet.distance, intersectPlanes(other, plane).distance); // law (2)
+    const ExactVec3 any = random.wholeVector(5);
+    const ExactVec3 onOther = measurePointPlane(any, other).foot;
+    const Surd signedDistance = measurePointPlane(onOther, plane).signedDistance;
+    EXPECT_EQ(meet.distance, signedDistance.sign() < 0 ? -signedDistance : signedDistance);
+    EXPECT_GT(meet.distance, Surd(0));
+  }
+}
+
+TEST(IntersectPlanes, DistanceOfParallelPlanes_IsExact) {
+  const Plane<Rational> plane{ExactVec3(1, 2, 2), -3};
+  EXPECT_EQ(intersectPlanes(plane, {ExactVec3(-2, -4, -4), -12}).distance, Surd(3));
+  EXPECT_EQ(intersectPlanes(Plane<Rational>{ExactVec3(1, 1, 0), 0}, {ExactVec3(1, 1, 0), -2}).distance,
+            Surd::root(2));
 }
 
 TEST(IntersectPlanes, ZeroNormal_IsACaseOfItsOwn) {

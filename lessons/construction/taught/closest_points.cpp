@@ -366,7 +366,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction closest_points() {
   return taught<Out, LineObject, LineObject>(
       {.id = "closest-points",
-       .word = "closest",
+       .word = "distance",
        .roles = {"g", "h"},
        .makes = {{"F", &Out::hasPair, &Out::F}, {"G", &Out::hasPair, &Out::G}},
        .letters = {"w", "H", "R", "n", "s", "t", "V", "dist"},

@@ -66,6 +66,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "line-ray-segment",
                                                "midpoint",
                                                "plane-angle",
+                                               "plane-distance",
                                                "plane-parametric",
                                                "point-line",
                                                "point-point",
@@ -526,6 +527,26 @@ TEST(SameAsEval, LinePlaneAngle_OfThePlaneAcrossTheLine) {
   compareScenes("line-plane-angle", [](const std::vector<Object> &objects, const Json &explained) {
     return compareCosine(planesAtMostRight({objects[0][0], objects[0][1]}, {objects[1][0], objects[1][1]}),
                          explained, "sine");
+  });
+}
+
+/// Questions have the distance of a point, with its sign: of a point of the other plane.
+TEST(SameAsEval, PlaneDistance_OfAPointOfTheSecond) {
+  compareScenes("plane-distance", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json planes = answerTo({"plane-plane", {"plane", "plane2"}}, objects);
+    EXPECT_EQ(planes.at("ok"), !explained.at("degenerate"));
+    if (!planes.at("ok"))
+      return 0;
+    const std::string found = planes.at("result").at("case");
+    EXPECT_EQ(explained.at("case"), found == "line" ? "meet" : found);
+    if (found == "line")
+      return 0;
+    PlaneObject first = objectAs<PlaneObject>(objects[0]).value();
+    if (dot(first.normal, ExactVec3(objects[1][0] - first.point)) < 0)
+      first.normal = -first.normal;
+    const Json answered = answerTo({"point-plane", {"plane", "point"}}, {first, PointObject{objects[1][0]}});
+    EXPECT_EQ(explained.at("values").at("distance"), answered.at("result").at("signed_distance"));
+    return 1;
   });
 }
 

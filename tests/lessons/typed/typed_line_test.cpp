@@ -93,8 +93,10 @@ TEST(TypedLine, FromPointToPoint_LeadsThere) {
 }
 
 TEST(TypedLine, OfAConstruction_TakesWhatFits_InAnyOrder) {
-  const std::vector<std::string> objects{"E: x + 2y + 2z = 27", "F: y + z = 6", "Q = (11, 15, 8)",
-                                         "r = Q + t(-1, 3, 2)", "g = Q + t(1, 0, 0)"};
+  const std::vector<std::string> objects{"E: x + 2y + 2z = 27", "F: y + z = 6",
+                                         "Q = (11, 15, 8)",     "r = Q + t(-1, 3, 2)",
+                                         "g = Q + t(1, 0, 0)",  "h = (0, 0, 1) + t(0, 1, 0)",
+                                         "P = (0, 0, 1)"};
   const auto use = [&](const std::string &line) {
     std::vector<std::string> lines = objects;
     lines.push_back(line);
@@ -103,9 +105,18 @@ TEST(TypedLine, OfAConstruction_TakesWhatFits_InAnyOrder) {
   EXPECT_EQ(use("d = distance(Q, E)"), (ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}));
   EXPECT_EQ(use("d = signed-distance(E, Q)"), (ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}));
   EXPECT_EQ(use("d = distance(g, Q)").id, "point-line");
-  EXPECT_EQ(use("h = intersect(r, E)").id, "ray-plane-dot");
-  EXPECT_EQ(use("h = intersect(E, F)"), (ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}));
-  EXPECT_EQ(use("h = ray-plane-substitution(E, F, r)").roles.at("planes").ids.size(), 2U);
+  EXPECT_EQ(use("d = distance(P, Q)"), (ConstructionUse{"point-point", {{"A", "P"}, {"B", "Q"}}}));
+  EXPECT_EQ(use("d = distance(g, h)").id, "closest-points");
+  EXPECT_EQ(use("d = distance(E, F)").id, "plane-distance");
+  EXPECT_EQ(use("a = angle(E, F)").id, "plane-angle");
+  EXPECT_EQ(use("a = angle(g, h)").id, "line-angle");
+  EXPECT_EQ(use("a = angle(E, g)"), (ConstructionUse{"line-plane-angle", {{"E", "E"}, {"g", "g"}}}));
+  EXPECT_EQ(use("m = midpoint(P, Q)").id, "midpoint");
+  EXPECT_EQ(use("m = mirror(Q, E)"), (ConstructionUse{"mirror-point", {{"E", "E"}, {"Q", "Q"}}}));
+  EXPECT_EQ(use("m = mirror(r, E)"), (ConstructionUse{"mirror-ray", {{"E", "E"}, {"L", "r"}}}));
+  EXPECT_EQ(use("s = intersect(r, E)").id, "ray-plane-dot");
+  EXPECT_EQ(use("s = intersect(E, F)"), (ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}));
+  EXPECT_EQ(use("s = ray-plane-substitution(E, F, r)").roles.at("planes").ids.size(), 2U);
 }
 
 TEST(TypedLine, OfWhatAnotherMakes_NamesIt) {
@@ -120,7 +131,7 @@ TEST(TypedLine, OfWhatAnotherMakes_NamesIt) {
 
 TEST(TypedLine, ThatIsWrong_SaysWhatAndWhere) {
   const Scene scene = typed({"E: z = 0", "Q = (1, 2, 3)", "T = triangle((0, 0, 0), (1, 0, 0), (0, 1, 0))",
-                             "g = Q + t(1, 0, 0)", "h = Q + t(0, 1, 0)", "d = closest(g, h)"});
+                             "g = Q + t(1, 0, 0)", "h = Q + t(0, 1, 0)", "d = distance(g, h)"});
   for (const auto &[line, at, part] :
        {std::tuple("", 0U, "begins with a name"),
         {"Q = (1, 2, 3)", 0U, "There is “Q” already"},
