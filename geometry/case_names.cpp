@@ -1,6 +1,7 @@
 #include "geometry/case_names.h"
 
 #include "geometry/intersect_line_plane.h"
+#include "geometry/intersect_plane_sphere.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/intersect_ray_plane.h"
 #include "geometry/intersect_ray_polygon.h"
@@ -73,6 +74,22 @@ std::string_view nameOf(PlanePlaneCase which) {
   case PlanePlaneCase::Coincident:
     return "coincident";
   case PlanePlaneCase::ZeroNormal:
+    return "zero-normal";
+  }
+  return {};
+}
+
+std::string_view nameOf(PlaneSphereCase which) {
+  switch (which) {
+  case PlaneSphereCase::Circle:
+    return "circle";
+  case PlaneSphereCase::GreatCircle:
+    return "great-circle";
+  case PlaneSphereCase::Tangent:
+    return "tangent";
+  case PlaneSphereCase::Miss:
+    return "miss";
+  case PlaneSphereCase::ZeroNormal:
     return "zero-normal";
   }
   return {};

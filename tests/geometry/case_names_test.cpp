@@ -2,6 +2,7 @@
 
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
+#include "geometry/intersect_plane_sphere.h"
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/intersect_ray_sphere.h"
@@ -32,6 +33,7 @@ TEST(CaseNames, OfEveryQuery_AreThereAndApart) {
   expectNamesApart(LineLineCase::NotALine);
   expectNamesApart(LinePlaneCase::ZeroNormal);
   expectNamesApart(PlanePlaneCase::ZeroNormal);
+  expectNamesApart(PlaneSphereCase::ZeroNormal);
   expectNamesApart(RayPlaneCase::ZeroDirection);
   expectNamesApart(RayPolygonCase::ZeroDirection);
   expectNamesApart(RaySolidCase::ZeroDirection);

@@ -2,10 +2,10 @@
 
 #include "lessons/lesson/new_numbers/faces.h"
 #include "lessons/lesson/new_numbers/lighting.h"
+#include "lessons/lesson/new_numbers/sphere_numbers.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/ray.h"
-#include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/ufo.h"
 #include "lessons/object/kinds/vector.h"
 
@@ -39,7 +39,7 @@ public:
   Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors, bool isLit,
           bool keepsCornersOnALine)
       : m_dice(dice), m_planes(planes), m_lines(lines), m_vectors(vectors),
-        m_keepsCornersOnALine(keepsCornersOnALine) {
+        m_keepsCornersOnALine(keepsCornersOnALine), m_spheres(dice) {
     if (isLit)
       m_light.emplace(dice);
   }
@@ -153,37 +153,21 @@ private:
     ufo.barrelLength = 3 * m_dice.between(2, 3);
   }
 
-  /// Such that many whole points lie on it.
   void draw(SphereObject &sphere) {
-    const ExactVec3 reach = m_dice.shortNormal();
-    sphere = {m_dice.position(), Surd::root(dot(reach, reach)).rationalPart()};
-    m_sphere = sphere;
-  }
-
-  /// From the centre to one of the sphere's whole points.
-  ExactVec3 reachOf(const SphereObject &sphere) {
-    ExactVec3 reach = m_dice.shortNormal();
-    while (dot(reach, reach) != sphere.radius * sphere.radius)
-      reach = m_dice.shortNormal();
-    return reach;
-  }
-
-  /// Through two whole points of a sphere; now and then so that it touches it, or passes by.
-  void drawThrough(const SphereObject &sphere, RayObject &ray) {
-    const ExactVec3 reach = reachOf(sphere);
-    ray.direction = reachOf(sphere) - reach;
-    if (isZero(ray.direction))
-      ray.direction = reach;
-    if (!m_dice.once(3))
-      return aimAt(ExactVec3(sphere.center + reach), ray);
-    const ExactVec3 across = stepAlong(reach, 0, 1);
-    ray.direction = isZero(across) ? stepAlong(reach, 0, 2) : across;
-    aimAt(ExactVec3(sphere.center + reach * Rational(m_dice.between(1, 2))), ray);
+    if (m_planes > 0 && !m_nets.empty())
+      m_spheres.drawAt(m_nets.front(), sphere);
+    else
+      m_spheres.draw(sphere);
   }
 
   /// Now and then it meets what it looks for in a whole point, lies in it, is parallel to it, or stands
   /// straight on a plane.
   void draw(LineObject &line) {
+    if (m_spheres.hasSphere()) {
+      line = m_spheres.lineThrough();
+      line.point += line.direction * Rational(m_dice.between(-1, 1));
+      return;
+    }
     const bool isAlone = m_nets.empty() && m_lines < 2;
     line = {m_dice.position(), isAlone ? m_dice.shortNormal() : m_dice.shortestNormal()};
     if (m_nets.empty())
@@ -287,8 +271,11 @@ private:
   /// At random, in what it looks for, along it, or towards a point of it.
   void draw(RayObject &ray) {
     ray = {m_dice.position(), m_dice.direction(longestStep)};
-    if (m_sphere)
-      return drawThrough(*m_sphere, ray);
+    if (m_spheres.hasSphere()) {
+      const LineObject line = m_spheres.lineThrough();
+      ray.direction = line.direction;
+      return aimAt(line.point, ray);
+    }
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
       return;
@@ -328,8 +315,8 @@ private:
   std::vector<Net> m_nets;
   std::optional<Net> m_face; ///< of the object that was drawn last, where one is looked for
   std::vector<VectorObject> m_drawnVectors;
-  std::optional<SphereObject> m_sphere;    ///< the last
   std::optional<PointObject> m_drawnPoint; ///< the object before, where it is a point
+  SphereNumbers m_spheres;
 };
 
 } // namespace
@@ -351,14 +338,16 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
       count(PlaneObject::kind) == 1 && count(VectorObject::kind) == 1 && count(PointObject::kind) > 0;
   Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind), isLit,
                   keepsCornersOnALine);
-  // What is looked for comes before what looks for it.
+  // What is looked for comes before what looks for it: spheres look for planes, and lines for spheres.
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
     return isLine(object) || kind == PlaneObject::kind || kind == TriangleObject::kind ||
            kind == SphereObject::kind || hasFace(kind);
   });
-  std::stable_partition(objects.begin(), others, std::not_fn(isLine));
+  const auto lines = std::stable_partition(objects.begin(), others, std::not_fn(isLine));
+  std::stable_partition(objects.begin(), lines,
+                        [](const Object *object) { return kindOf(*object) != SphereObject::kind; });
   for (Object *object : objects)
     renewal.renew(*object);
   for (std::size_t i = 0; i < names.size(); ++i)

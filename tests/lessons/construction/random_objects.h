@@ -144,6 +144,14 @@ private:
       return makeSpecialCamera(objects[0][0], *screen, objects);
     if (objects.size() == 3 && kindOf(objects[0]) == LineObject::kind)
       return makeSpecialWalk(objects[0], objects[1][0], objects[2][0]);
+    if (objects.size() == 4 && std::all_of(objects.begin(), objects.end(), [](const Object &object) {
+          return kindOf(object) == PointObject::kind;
+        }))
+      return makeSpecialFour(objects[0][0], objects[1][0], objects[2][0], objects[3][0]);
+    if (objects.size() == 1 && findSolidKind(kindOf(objects[0])))
+      return makeSpecialSolid(objects[0]);
+    if (objects.size() == 1 && kindOf(objects[0]) == PolygonObject::kind)
+      return makeSpecialPolygon(objects[0]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -159,8 +167,12 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
-    if (Found<SphereObject> sphere(objects); sphere.typed && ray.typed)
-      makeSpecial(*sphere.typed, *ray.typed);
+    Found<SphereObject> sphere(objects);
+    Found<LineObject> line(objects);
+    if (sphere.typed && ray.typed)
+      makeSpecial(*sphere.typed, ray.typed->origin, ray.typed->direction);
+    if (sphere.typed && plane.typed)
+      makeSpecial(*sphere.typed, *plane.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
     if (triangle.typed && objects.size() == 1)
@@ -171,7 +183,9 @@ private:
       makeSpecialSolid(objects[0], *ray.typed);
     if (Found<UfoObject> ufo(objects); ufo.typed)
       makeSpecial(*ufo.typed);
-    if (Found<LineObject> line(objects); line.typed && point.typed)
+    if (sphere.typed && line.typed)
+      makeSpecial(*sphere.typed, line.typed->point, line.typed->direction);
+    else if (line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
     else if (line.typed)
       makeSpecial(*line.typed, plane.typed ? *plane.typed : PlaneObject{{0, 0, 0}, {0, 0, 1}});
@@ -780,27 +794,28 @@ private:
     return any == 0 ? Rational(1) : any;
   }
 
-  void makeSpecial(SphereObject &sphere, RayObject &ray) {
+  /// Of a sphere and a line, or that of a ray, from a point along a direction.
+  void makeSpecial(SphereObject &sphere, ExactVec3 &start, ExactVec3 &direction) {
     // Three arrows square to each other, all as long as 3.
     const ExactVec3 along(1, 2, 2);
     const ExactVec3 aside(2, 1, -2);
     const auto startAt = [&](const Rational &asideShare, const Rational &alongShare) {
-      ray.origin = sphere.center + aside * asideShare + along * alongShare;
+      start = sphere.center + aside * asideShare + along * alongShare;
     };
     switch (integer(0, 7)) {
     case 0:
       sphere.radius = 0;
       break;
     case 1:
-      ray.direction = {0, 0, 0};
+      direction = {0, 0, 0};
       break;
     case 2: // touching
-      ray.direction = along * number();
+      direction = along * number();
       sphere.radius = length();
       startAt(Rational(sphere.radius / 3), number());
       break;
     case 3: // roots without roots: sides of 3, 4 and 5
-      ray.direction = along * number();
+      direction = along * number();
       sphere.radius = 5 * length();
       startAt(Rational(sphere.radius / 5), number());
       break;
@@ -809,13 +824,118 @@ private:
       startAt(0, Rational(sphere.radius / -3));
       break;
     case 5: // through the centre, perhaps from there
-      ray.origin = sphere.center + ray.direction * Rational(integer(-2, 2));
+      start = sphere.center + direction * Rational(integer(-2, 2));
       break;
     case 6: // from inside
-      ray.origin = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
+      start = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
       break;
     default:
-      ray.direction = ExactVec3(sphere.center - ray.origin) + vector() / Rational(9);
+      direction = ExactVec3(sphere.center - start) + vector() / Rational(9);
+    }
+  }
+
+  /// Cut by the plane, touched, through the centre, or a point.
+  void makeSpecial(SphereObject &sphere, PlaneObject &plane) {
+    const ExactVec3 arrow(1, 2, 2); // 3 long
+    switch (integer(0, 7)) {
+    case 0:
+      sphere.radius = 0;
+      break;
+    case 1:
+      sphere.radius = 0;
+      sphere.center = plane.point + vectorAlongPlane(plane.normal);
+      break;
+    case 2:
+    case 3:
+      sphere.center = plane.point + vectorAlongPlane(plane.normal);
+      break;
+    case 4:
+    case 5: { // the distance and the radius are fractions, and mostly the same
+      plane.normal = arrow * length();
+      const Rational steps = integer(0, 1) == 0 ? length() : Rational(-length());
+      sphere.center = plane.point + vectorAlongPlane(arrow) + arrow * steps;
+      sphere.radius = 3 * abs(steps) + (integer(0, 3) == 0 ? 1 : 0);
+      break;
+    }
+    default:
+      break;
+    }
+  }
+
+  /// Two of four points are one, three lie on a line, all on a line, in a plane or on a circle; or their
+  /// sphere has a fraction for its radius.
+  void makeSpecialFour(ExactVec3 &a, ExactVec3 &b, ExactVec3 &c, ExactVec3 &d) {
+    const ExactVec3 u = b - a;
+    switch (integer(0, 9)) {
+    case 0:
+      d = a;
+      break;
+    case 1:
+      c = b;
+      break;
+    case 2:
+      c = a + u * number();
+      break;
+    case 3:
+      c = a + u * number();
+      d = a + u * number();
+      break;
+    case 4:
+      d = a + u * number() + (c - a) * number();
+      break;
+    case 5:
+      c = a + vectorAlongPlane(u);
+      d = c + u;
+      break;
+    case 6:
+      c = b;
+      d = integer(0, 1) == 0 ? a : b;
+      break;
+    default: {
+      const ExactVec3 center = a;
+      const Rational factor = length();
+      a = center + ExactVec3(1, 2, 2) * factor;
+      b = center + ExactVec3(2, 1, -2) * factor;
+      c = center + ExactVec3(2, -2, 1) * factor;
+      d = center - ExactVec3(1, 2, 2) * factor;
+    }
+    }
+  }
+
+  void makeSpecialSolid(Object &solid) {
+    if (kindOf(solid) == "tetrahedron")
+      makeSpecialFour(solid[0], solid[1], solid[2], solid[3]);
+    else if (integer(0, 1) == 0)
+      spoil(solid);
+  }
+
+  /// Corners that are one point or lie on a line, a straight one, crossing edges, not in one plane.
+  void makeSpecialPolygon(Object &polygon) {
+    const std::size_t last = polygon.size() - 1;
+    const ExactVec3 side = polygon[1] - polygon[0];
+    switch (integer(0, 7)) {
+    case 0:
+      polygon[last] = polygon[static_cast<std::size_t>(integer(0, 1))];
+      break;
+    case 1:
+      polygon[1] = (polygon[0] + polygon[2]) / Rational(2);
+      break;
+    case 2:
+      std::swap(polygon[1], polygon[2]);
+      break;
+    case 3:
+      polygon[last] += vector();
+      break;
+    case 4:
+      for (std::size_t i = 2; i <= last; ++i)
+        polygon[i] = polygon[0] + side * number();
+      break;
+    case 5: // bent inwards
+      polygon[last] =
+          polygon[0] + (polygon[1] - polygon[0]) / Rational(3) + (polygon[2] - polygon[0]) / Rational(3);
+      break;
+    default:
+      break;
     }
   }
 

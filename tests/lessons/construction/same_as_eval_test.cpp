@@ -67,7 +67,9 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "midpoint",
                                                "plane-angle",
                                                "plane-distance",
+                                               "line-sphere",
                                                "plane-parametric",
+                                               "plane-sphere",
                                                "point-line",
                                                "point-point",
                                                "ray-plane-substitution",
@@ -563,6 +565,34 @@ TEST(SameAsEval, LineRaySegment_FromThePointOfWhichItIsAsked) {
     const bool isOn = explained.at("values").at("on") == "yes";
     EXPECT_EQ(answered.at("result").at("through_origin"), isOn);
     EXPECT_EQ(explained.at("case") != "off", isOn);
+    return 1;
+  });
+}
+
+/// Questions have rays: that from the line's point.
+TEST(SameAsEval, LineSphere_AsTheRayFromItsPoint) {
+  compareScenes("line-sphere", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo({"ray-sphere", {"ray", "sphere"}},
+                                   {Object(RayObject{objects[0][0], objects[0][1]}), objects[1]});
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate")) << answered;
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(explained.at("case"), answered.at("result").at("contacts"));
+    return compare(explained.at("values"), answered.at("result"), "");
+  });
+}
+
+/// Questions ask for a point and a plane: the centre of the sphere.
+TEST(SameAsEval, PlaneSphere_InTheFootOfTheCentre) {
+  compareScenes("plane-sphere", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered =
+        answerTo({"point-plane", {"plane", "point"}}, {objects[0], Object(PointObject{objects[1][0]})});
+    if (explained.at("degenerate"))
+      return 0;
+    const Json &values = explained.at("values");
+    EXPECT_EQ(values.at("f"), answered.at("result").at("f"));
+    EXPECT_EQ(values.at("center"), answered.at("result").at("foot"));
+    EXPECT_EQ(explained.at("case") == "great-circle", answered.at("result").at("side") == "on");
     return 1;
   });
 }
