@@ -46,8 +46,9 @@ TEST(IntersectPlaneSphere, AnyPlane_HasTheCircleOfItsPointsOnTheSphere) { // law
     const ExactVec3 inPlane = point + cross(normal, random.wholeVector(3));
     EXPECT_EQ(squaredDistance(inPlane, sphere.center) == sphere.radius * sphere.radius,
               squaredDistance(inPlane, meet.center.foot) == meet.circleRadiusSquared);
-    if (meet.circleRadiusSquared >= 0)
+    if (meet.circleRadiusSquared >= 0) {
       EXPECT_EQ(meet.circleRadius.squared(), Surd(meet.circleRadiusSquared));
+    }
   }
   EXPECT_EQ(cases.size(), 5U) << "a case did not come up";
 }

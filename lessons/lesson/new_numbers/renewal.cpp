@@ -31,16 +31,23 @@ bool isShort(const Object &object) {
   return true;
 }
 
+/// What there is in a scene.
+struct Inventory {
+  // How many there are:
+  std::ptrdiff_t planes;
+  std::ptrdiff_t lines;
+  std::ptrdiff_t vectors;
+  bool isLit;         ///< a vector is light that shines past points onto a plane
+  bool areFourPoints; ///< and nothing else
+};
+
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  /// `isLit`: a vector is light that shines past points onto a plane. `keepsCornersOnALine`: a triangle whose
-  /// corners are on one line is drawn so again.
-  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, std::ptrdiff_t vectors, bool isLit,
-          bool keepsCornersOnALine)
-      : m_dice(dice), m_planes(planes), m_lines(lines), m_vectors(vectors),
-        m_keepsCornersOnALine(keepsCornersOnALine), m_spheres(dice) {
-    if (isLit)
+  /// `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
+  Renewal(Dice &dice, const Inventory &scene, bool keepsCornersOnALine)
+      : m_dice(dice), m_scene(scene), m_keepsCornersOnALine(keepsCornersOnALine), m_spheres(dice) {
+    if (scene.isLit)
       m_light.emplace(dice);
   }
 
@@ -126,7 +133,7 @@ private:
 
   void draw(PlaneObject &plane) {
     plane.point = m_dice.position();
-    if (m_planes < 2 && !m_light)
+    if (m_scene.planes < 2 && !m_light)
       plane.normal = m_dice.normal();
     else if (m_light || m_nets.empty())
       plane.normal = m_dice.shortestNormal();
@@ -141,7 +148,7 @@ private:
     if (!m_dice.once(alongOnceIn))
       return;
     plane.normal = other.normal * Rational(m_dice.sign());
-    if (m_planes == 2 && m_dice.once(2))
+    if (m_scene.planes == 2 && m_dice.once(2))
       plane.point = pointOf(other, m_dice);
   }
 
@@ -154,7 +161,7 @@ private:
   }
 
   void draw(SphereObject &sphere) {
-    if (m_planes > 0 && !m_nets.empty())
+    if (m_scene.planes > 0 && !m_nets.empty())
       m_spheres.drawAt(m_nets.front(), sphere);
     else
       m_spheres.draw(sphere);
@@ -168,7 +175,7 @@ private:
       line.point += line.direction * Rational(m_dice.between(-1, 1));
       return;
     }
-    const bool isAlone = m_nets.empty() && m_lines < 2;
+    const bool isAlone = m_nets.empty() && m_scene.lines < 2;
     line = {m_dice.position(), isAlone ? m_dice.shortNormal() : m_dice.shortestNormal()};
     if (m_nets.empty())
       return;
@@ -188,9 +195,9 @@ private:
     if (isLit())
       return m_light->draw(vector);
     const bool isFirst = m_drawnVectors.empty();
-    vector.vector = m_vectors > 2 ? vectorOfThree() : m_dice.shortNormal();
+    vector.vector = m_scene.vectors > 2 ? vectorOfThree() : m_dice.shortNormal();
     vector.start = isFirst ? m_dice.position() : m_drawnVectors.front().start;
-    if (isFirst || m_vectors > 2)
+    if (isFirst || m_scene.vectors > 2)
       return;
     const ExactVec3 &first = m_drawnVectors.front().vector;
     while (dot(vector.vector, vector.vector) == dot(first, first))
@@ -243,11 +250,16 @@ private:
     triangle.p2 = triangle.p0 + step * Rational(second);
   }
 
-  /// At random; straight above, in or below what it looks for, beside a line or on it; in the plane of a
-  /// triangle. Where there are points alone, now and then where the one before is.
+  /// Four without anything else on one sphere. At random; straight above, in or below what it looks for,
+  /// beside a line or on it; in the plane of a triangle. Where there are points alone, now and then where the
+  /// one before is.
   void draw(PointObject &point) {
     if (isLit())
       return m_light->draw(point);
+    if (m_scene.areFourPoints) {
+      point.at = m_spheres.pointOnIt();
+      return;
+    }
     point.at = m_dice.position();
     const Net *net = aim();
     if (!net && m_drawnPoint && m_dice.once(alongOnceIn))
@@ -306,10 +318,7 @@ private:
   }
 
   Dice &m_dice;
-  // How many there are:
-  std::ptrdiff_t m_planes;
-  std::ptrdiff_t m_lines;
-  std::ptrdiff_t m_vectors;
+  Inventory m_scene;
   std::optional<Lighting> m_light;
   bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
@@ -334,10 +343,11 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
     return std::count_if(objects.begin(), objects.end(),
                          [&](const Object *object) { return kindOf(*object) == kind; });
   };
-  const bool isLit =
-      count(PlaneObject::kind) == 1 && count(VectorObject::kind) == 1 && count(PointObject::kind) > 0;
-  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind), isLit,
-                  keepsCornersOnALine);
+  const auto points = count(PointObject::kind);
+  const bool isLit = count(PlaneObject::kind) == 1 && count(VectorObject::kind) == 1 && points > 0;
+  const Inventory inventory{count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind),
+                            isLit, points == 4 && objects.size() == 4};
+  Renewal renewal(dice, inventory, keepsCornersOnALine);
   // What is looked for comes before what looks for it: spheres look for planes, and lines for spheres.
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {

@@ -1,4 +1,5 @@
-// Tetrahedra.
+#include "lessons/object/kinds/tetrahedron.h"
+
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/solid.h"
@@ -37,12 +38,17 @@ std::vector<Mark> draw(const Given<Object> &given) {
 
 } // namespace
 
+std::array<Term, 4> cornerTermsOf(const Given<TetrahedronObject> &tetrahedron) {
+  return {coordinateTerm(tetrahedron, 0), coordinateTerm(tetrahedron, 1), coordinateTerm(tetrahedron, 2),
+          coordinateTerm(tetrahedron, 3)};
+}
+
 namespace object_kinds {
 
-SolidKind tetrahedronSolid() { return {"tetrahedron", mesh, corner, way, face}; }
+SolidKind tetrahedronSolid() { return {TetrahedronObject::kind, mesh, corner, way, face}; }
 
 Kind tetrahedron() {
-  return {.word = "tetrahedron",
+  return {.word = TetrahedronObject::kind,
           .noun = [] { return words("a tetrahedron"); },
           .meaning = "a tetrahedron by its corners",
           .subject = Subject::Triangle,

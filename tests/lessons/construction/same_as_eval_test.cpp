@@ -54,7 +54,9 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 /// Those that ask otherwise: each has a test of its own below.
-const std::set<std::string> withOtherQuestions{"clipping",
+const std::set<std::string> withOtherQuestions{"circumsphere",
+                                               "circumsphere-points",
+                                               "clipping",
                                                "closest-points",
                                                "barycentric",
                                                "cross-product",
@@ -595,6 +597,41 @@ TEST(SameAsEval, PlaneSphere_InTheFootOfTheCentre) {
     EXPECT_EQ(explained.at("case") == "great-circle", answered.at("result").at("side") == "on");
     return 1;
   });
+}
+
+/// Questions have planes and points: the centre lies halfway between any two corners, and the fourth lies as
+/// far from the plane of three as the determinant says.
+void compareCircumspheres(std::string_view id) {
+  compareScenes(id, [](const std::vector<Object> &objects, const Json &explained) {
+    std::vector<ExactVec3> corners;
+    for (const Object &object : objects)
+      for (std::size_t i = 0; i < object.size(); ++i)
+        corners.push_back(object[i]);
+    const auto answerAt = [](const ExactVec3 &point, const ExactVec3 &normal, const Json &at) {
+      return answerTo(Json{{"query", "point-plane"},
+                           {"plane", {{"point", numbersOf(point)}, {"normal", numbersOf(normal)}}},
+                           {"point", at}});
+    };
+    const ExactVec3 across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Json &values = explained.at("values");
+    if (!isZero(across)) {
+      EXPECT_EQ(values.at("det"), answerAt(corners[0], across, numbersOf(corners[3])).at("result").at("f"));
+    }
+    if (explained.at("case") != "sphere")
+      return 0;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const Json answered = answerAt((corners[0] + corners[i]) / Rational(2), corners[i] - corners[0],
+                                     values.at("center").at("exact"));
+      if (!answered.at("ok"))
+        return 0; // the numbers of the centre are longer than those of a question may be
+      EXPECT_EQ(answered.at("result").at("side"), "on");
+    }
+    return 1;
+  });
+}
+TEST(SameAsEval, Circumsphere_InThePlanesHalfwayBetween) { compareCircumspheres("circumsphere"); }
+TEST(SameAsEval, CircumspherePoints_InThePlanesHalfwayBetween) {
+  compareCircumspheres("circumsphere-points");
 }
 
 TEST(SameAsEval, TriangleDegenerate_WhereThereIsNoPlane) {
