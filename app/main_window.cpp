@@ -129,16 +129,17 @@ void MainWindow::createSceneTools(CameraActions &camera) {
 void MainWindow::createExplore() {
   SceneColumn &scene = m_panels.scene();
   ExplorePanel &explore = m_panels.explore();
-  new ExplorePresenter(m_model, m_panels, m_step.highlights(), this);
-  m_field = new FieldPresenter(m_model, scene.bar(), explore.edits(), explore.selection(), *menuBar(), this);
-  connect(m_field, &FieldPresenter::openChanged, &scene.bar(), &EntryBar::setVisible);
-  connect(m_field, &FieldPresenter::left, &scene.view(), [&scene] { scene.view().setFocus(); });
-  connect(&explore.list(), &EntryList::lineWanted, m_field, &FieldPresenter::edit);
+  auto *field =
+      new FieldPresenter(m_model, scene.bar(), explore.edits(), explore.selection(), *menuBar(), this);
+  m_explore = new ExplorePresenter(m_model, m_panels, m_step.highlights(), *field, this);
+  connect(field, &FieldPresenter::openChanged, &scene.bar(), &EntryBar::setVisible);
+  connect(field, &FieldPresenter::left, &scene.view(), [&scene] { scene.view().setFocus(); });
+  connect(&explore.list(), &EntryList::lineWanted, field, &FieldPresenter::edit);
   connect(&explore.edits(), &EntryEdits::told, this,
           [this](const QString &sentence) { m_panels.messages().say(sentence); });
   scene.bar().setVisible(isExplore(m_model));
   const auto actions = menuBar()->actions();
-  auto *menu = new SceneMenu(m_model, *m_field, scene.view().objectHand(), menuBar());
+  auto *menu = new SceneMenu(m_model, *field, scene.view().objectHand(), menuBar());
   menuBar()->insertMenu(actions.at(actions.size() - 2), menu);
   auto *add = new QToolButton;
   add->setObjectName("addTool");
@@ -224,13 +225,7 @@ void MainWindow::endWhileBusy() {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent *event) {
-  // A letter that no part of the window has a use for begins a line.
-  const QString text = event->text();
-  const bool isTyped = !(event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) && !text.isEmpty() &&
-                       text.front().isLetter();
-  if (isTyped && isExplore(m_model))
-    m_field->begin(text);
-  else
+  if (!m_explore->pressKey(*event))
     QMainWindow::keyPressEvent(event);
 }
 

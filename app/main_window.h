@@ -21,7 +21,7 @@ namespace halfspace {
 
 class CameraActions;
 class ContentsPresenter;
-class FieldPresenter;
+class ExplorePresenter;
 class FigureExport;
 class OwnLessonFolders;
 class WindowSettings;
@@ -89,7 +89,7 @@ private:
   SessionFiles m_files;
   Autosave m_autosave;
   LeftoverWork m_leftovers;
-  FieldPresenter *m_field = nullptr; ///< belongs to the window
+  ExplorePresenter *m_explore = nullptr; ///< belongs to the window
   std::unique_ptr<WindowSettings> m_settings;
 };
 

@@ -1,5 +1,6 @@
 #include "app/explore/explore_presenter.h"
 
+#include "app/explore/field_presenter.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/window_panels.h"
 #include "app/step/mark_highlights.h"
@@ -10,6 +11,7 @@
 #include "widgets/view/scene_view.h"
 
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QSplitter>
 
@@ -19,8 +21,8 @@
 namespace halfspace {
 
 ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, MarkHighlights &highlights,
-                                   QObject *parent)
-    : QObject(parent), m_model(model), m_panels(panels), m_highlights(highlights),
+                                   FieldPresenter &field, QObject *parent)
+    : QObject(parent), m_model(model), m_panels(panels), m_highlights(highlights), m_field(field),
       m_selection(panels.explore().selection()) {
   SceneView &view = panels.scene().view();
   connect(&model, &SessionModel::lessonChanged, this, &ExplorePresenter::takeLesson);
@@ -50,6 +52,8 @@ void ExplorePresenter::takeScene() {
   if (ids == m_selection.ids())
     showWorkings(); // of others, where the last construction is another one
   m_selection.set(std::move(ids));
+  if (!m_selection.ids().empty())
+    highlight(); // another case has other marks
   if (isExplore(m_model) && std::exchange(m_entries, scene.entries.size()) != scene.entries.size())
     m_panels.scene().view().viewpoint().takeGrown();
 }
@@ -69,14 +73,36 @@ void ExplorePresenter::takeHandle() {
     m_selection.set({selected->object});
 }
 
+bool ExplorePresenter::pressKey(const QKeyEvent &event) {
+  const QString text = event.text();
+  const bool isPlain = !(event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+  if (!isExplore(m_model) || !isPlain)
+    return false;
+  if (event.key() == Qt::Key_Delete && !m_selection.ids().empty()) {
+    std::vector<std::string> names;
+    for (const std::string &id : m_selection.ids())
+      names.push_back(ownerOf(id));
+    m_panels.explore().edits().remove(names);
+    return true;
+  }
+  if (text.isEmpty() || !text.front().isLetter())
+    return false;
+  m_field.begin(text);
+  return true;
+}
+
 void ExplorePresenter::showSelection() {
+  highlight();
+  selectHandle();
+  showWorkings();
+}
+
+void ExplorePresenter::highlight() {
   std::set<std::string> marks;
   for (const Mark &mark : m_model.figure().marks)
     if (m_selection.contains(objectOfMark(m_model.evaluation(), baseOf(mark).id)))
       marks.insert(baseOf(mark).id);
   m_highlights.setSelected(isExplore(m_model) ? marks : std::set<std::string>());
-  selectHandle();
-  showWorkings();
 }
 
 void ExplorePresenter::selectHandle() {

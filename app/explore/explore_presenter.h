@@ -6,10 +6,12 @@
 
 #include <set>
 
+class QKeyEvent;
 class QMenu;
 
 namespace halfspace {
 
+class FieldPresenter;
 class MarkHighlights;
 class SceneView;
 class WindowPanels;
@@ -20,7 +22,12 @@ class ExplorePresenter : public QObject {
   Q_OBJECT
 public:
   /// All must outlive it but the parent.
-  ExplorePresenter(SessionModel &model, WindowPanels &panels, MarkHighlights &highlights, QObject *parent);
+  ExplorePresenter(SessionModel &model, WindowPanels &panels, MarkHighlights &highlights,
+                   FieldPresenter &field, QObject *parent);
+
+  /// A key that no part of the window has a use for: a letter begins a line, Delete takes away what is selected.
+  /// False for one that means nothing here either.
+  bool pressKey(const QKeyEvent &event);
 
 private:
   void takeLesson();
@@ -29,6 +36,7 @@ private:
   void choose(const QString &mark, bool adds);
   void takeHandle();
   void showSelection();
+  void highlight();
   void selectHandle();
   void showWorkings();
   void addPin(QMenu &menu, const QString &name);
@@ -36,6 +44,7 @@ private:
   SessionModel &m_model;
   WindowPanels &m_panels;
   MarkHighlights &m_highlights;
+  FieldPresenter &m_field;
   SceneSelection &m_selection;
   std::set<std::string> m_pinned; ///< constructions whose working stays
   std::size_t m_entries = 0;      ///< of the scene, when it was shown last

@@ -1,74 +1,12 @@
 // Explore in a real window: lines that are typed, the list of the scene, one selection for all, what fits.
-#include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/typed/write_line.h"
-#include "tests/app/window_fixture.h"
-#include "widgets/explore/entry_bar.h"
-#include "widgets/explore/entry_list.h"
-#include "widgets/explore/explore_panel.h"
-#include "widgets/explore/fits_box.h"
-#include "widgets/scene_selection.h"
+#include "tests/app/explore_fixture.h"
 
-#include <QLabel>
-#include <QPushButton>
-#include <QTreeWidget>
+#include <QClipboard>
+#include <QSlider>
 
 using namespace halfspace;
 
 namespace {
-
-class ExploreFixture : public WindowFixture {
-public:
-  ExploreFixture() : WindowFixture("explore") {}
-
-  EntryBar &bar() { return *window.findChild<EntryBar *>(); }
-  EntryField &field() { return *window.findChild<EntryField *>(); }
-  EntryList &list() { return *window.findChild<EntryList *>(); }
-  FitsBox &fits() { return *window.findChild<FitsBox *>(); }
-  SceneSelection &selection() { return window.findChild<ExplorePanel *>()->selection(); }
-  QTreeWidget &suggestions() {
-    return *window.findChild<QFrame *>("suggestions")->findChild<QTreeWidget *>();
-  }
-  QString sentence() { return window.findChild<QLabel *>("entrySentence")->text(); }
-
-  /// Types into the field, after what is there is gone, and enters it.
-  void enter(const QString &line) {
-    type(line);
-    QTest::keyClick(&field(), Qt::Key_Return);
-  }
-  void type(const QString &line) {
-    field().setFocus();
-    field().selectAll();
-    QTest::keyClicks(&field(), line);
-  }
-  /// The scene as somebody would type it.
-  QStringList scene() {
-    QStringList lines;
-    for (const Entry &entry : model().session().scene.entries)
-      lines << QString::fromStdString(lineFor(entry));
-    return lines;
-  }
-  QModelIndex row(const std::string &id, int column = 0) {
-    const auto *rows = static_cast<EntryRows *>(list().model());
-    return rows->index(rows->rowOf(id), column);
-  }
-  void clickRow(const std::string &id, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QTest::qWait(30); // what was typed before has its rows
-    QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, list().visualRect(row(id, 1)).center());
-  }
-  QPushButton *fit(const QString &text) {
-    QCoreApplication::sendPostedEvents();
-    for (QPushButton *button : fits().findChildren<QPushButton *>("fit"))
-      if (button->text() == text)
-        return button;
-    return nullptr;
-  }
-  /// Where a mark of the picture is that is a point.
-  QPoint placeOf(const std::string &id) {
-    const auto *point = std::get_if<PointMark>(findMark(WindowFixture::scene().drawn().figure(), id));
-    return pixelOf(point->at);
-  }
-};
 
 const QStringList distanceLines{"Q = (11, 15, 8)", "E: x + 2y + 2z = 27", "d = distance(Q, E)"};
 
@@ -240,6 +178,70 @@ private slots:
     QTest::mouseClick(distance, Qt::LeftButton);
     QCoreApplication::processEvents();
     QCOMPARE(fixture.scene().last().section(" = ", 1), QString("signed-distance(E, Q)"));
+  }
+
+  void numberWithASlider_isMovedByKeysAndPlays_eachTimeInOneStep() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("k = 1, 0 <= k <= 2, step 1/2");
+    auto *slider = fixture.window.findChild<QSlider *>("numberSlider");
+    QVERIFY(slider->isVisible());
+    QCOMPARE(slider->maximum(), 4);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(fixture.scene(), (QStringList{"k = 3/2, 0 <= k <= 2, step 1/2"}));
+    const int steps = fixture.model().history().count();
+    auto *play = fixture.window.findChild<QToolButton *>("playNumber");
+    play->click();
+    QVERIFY(QTest::qWaitFor([&] { return fixture.value("k").x == 0; }));
+    play->click();
+    QCOMPARE(fixture.model().history().count(), steps + 1);
+    fixture.model().history().undo();
+    QCOMPARE(fixture.scene(), (QStringList{"k = 3/2, 0 <= k <= 2, step 1/2"}));
+  }
+
+  void whatHolds_ofSelectedObjects_isTold() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"A = (0, 0, 0)", "B = (2, 2, 2)", "M = (A + B)/2"})
+      fixture.enter(line);
+    fixture.clickRow("A");
+    fixture.clickRow("B", Qt::ControlModifier);
+    fixture.clickRow("M", Qt::ControlModifier);
+    QTest::mouseClick(fixture.window.findChild<QPushButton *>("discover"), Qt::LeftButton);
+    const QString told = fixture.window.findChild<QLabel *>("discoveries")->text();
+    QVERIFY2(told.contains("on one line") && told.contains("always"), qPrintable(told));
+  }
+
+  void linesPastedTogether_areOneStep_andAWrongOneAddsNothing() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    QGuiApplication::clipboard()->setText("1, 2, 3\n4, 5, 6\ng = line(A, B)\n");
+    fixture.field().setFocus();
+    QTest::keyClick(&fixture.field(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(fixture.scene().size(), 3);
+    QCOMPARE(fixture.model().history().count(), 1);
+    QGuiApplication::clipboard()->setText("7, 8, 9\nh = lin(A, B)\n");
+    QTest::keyClick(&fixture.field(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(fixture.scene().size(), 3);
+    QVERIFY2(fixture.sentence().startsWith("Nothing was added. Line 2:"), qPrintable(fixture.sentence()));
+  }
+
+  void deleteInThePicture_takesAwayWhatIsSelected() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (4, 0, 1)");
+    fixture.enter("B = (0, 6, 2)");
+    fixture.clickRow("B");
+    QTest::keyClick(&fixture.WindowFixture::scene(), Qt::Key_Delete);
+    QCOMPARE(fixture.scene(), (QStringList{"A = (4, 0, 1)"}));
+  }
+
+  void partOfThePicture_switchedOff_isNotDrawn() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.window.findChild<QMenu *>("parts")->findChild<QAction *>("grid")->setChecked(false);
+    QVERIFY(!fixture.WindowFixture::scene().drawn().drawnContent().shown.grid);
+    QVERIFY(fixture.WindowFixture::scene().drawn().drawnContent().shown.axes);
   }
 
   void lineTypedInALesson_leadsToExplore_andLeavesTheLesson() {

@@ -62,6 +62,7 @@ EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits 
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(QHeaderView::Stretch);
   header()->setSectionResizeMode(EntryRows::Name, QHeaderView::ResizeToContents);
+  header()->setResizeContentsPrecision(0); // of what is seen: a drag tells of all rows in each frame
   connect(&selection, &SceneSelection::changed, this, &EntryList::followSelection);
   connect(m_rows, &EntryRows::modelReset, this, &EntryList::followSelection);
   connect(this, &EntryList::doubleClicked, this, &EntryList::askForLine);
