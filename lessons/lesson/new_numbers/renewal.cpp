@@ -182,7 +182,7 @@ private:
     const Net &other = m_nets.front();
     if (m_dice.once(3))
       line.direction = directionAlong(other, m_dice);
-    else if (m_planes > 0 && m_dice.once(alongOnceIn))
+    else if (m_scene.planes > 0 && m_dice.once(alongOnceIn))
       line.direction = other.normal;
     if (m_dice.once(2))
       line.point = anyPointOf(other, m_dice);
