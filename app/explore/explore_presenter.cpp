@@ -59,6 +59,8 @@ void ExplorePresenter::takeScene() {
 }
 
 void ExplorePresenter::choose(const QString &mark, bool adds) {
+  if (!isExplore(m_model))
+    return;
   const std::string id = objectOfMark(m_model.evaluation(), mark.toStdString());
   if (adds && !id.empty())
     m_selection.toggle(id);

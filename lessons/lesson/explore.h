@@ -8,10 +8,10 @@ namespace halfspace {
 /// The id that sessions have in it.
 inline constexpr const char *exploreId = "explore";
 
-/// It begins empty, has no steps, and is in no folder: every library knows it.
+/// It begins empty, has one step, and is in no folder: every library knows it.
 [[nodiscard]] const Lesson &exploreLesson();
 
-/// What is shown of it in the place of a step: what is given, the lines of these constructions with all that
+/// What a window shows of it in the place of its step: what is given, the lines of these constructions with all that
 /// they draw, and of the others what comes out.
 [[nodiscard]] LessonStep stepShowing(const std::vector<std::string> &constructions);
 

@@ -1,6 +1,9 @@
-// From a move of the mouse to the drawn frame, in the real window, for every lesson: each move is also drawn
-// by bare VTK, one after the other, so that what else the machine does slows both alike. Takes the number of
-// moves and, if only one is wanted, a lesson.
+// From a move of the mouse to the drawn frame, in the real window, for every lesson and for scenes of
+// Explore: each move is also drawn by bare VTK, one after the other, so that what else the machine does slows
+// both alike. Takes the number of moves and, if only one is wanted, a lesson, or `explore-100` for a scene of
+// so many entries.
+#include "lessons/lesson/explore.h"
+#include "lessons/typed/typed_scene.h"
 #include "tests/app/window_fixture.h"
 #include "tests/bench/bare_window.h"
 #include "tests/bench/figure_to_bare.h"
@@ -10,6 +13,7 @@
 
 #include <QApplication>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -23,6 +27,9 @@ constexpr int burstMoves = 100;
 constexpr int movesPerBurst = 10;
 constexpr int patience = 10000; // milliseconds
 constexpr double offPath = 60;  ///< how far the drag wanders off its straight way, in pixels
+
+/// The scenes of Explore have so many entries.
+constexpr std::array exploreSizes{10, 100, 500};
 
 constexpr double shareGoal = 1;    ///< milliseconds
 constexpr double frameGoal = 1.10; ///< times bare VTK
@@ -65,12 +72,29 @@ struct Measured {
   bool isKept = false; ///< whether the handle ended where the pointer did
 };
 
-/// One drag of the first handle of a lesson that can be grabbed.
+/// A scene of Explore: a point to be dragged, and planes, points and distances, of which each third looks at
+/// it.
+Session exploreSession(int entries) {
+  std::string lines = "Q = (3, 2, 4)\n";
+  for (int i = 1; i < entries; ++i) {
+    const std::string number = std::to_string(i);
+    const std::string place = std::to_string(i * 7 % 11) + ", " + std::to_string(i * 5 % 13) + ", ";
+    if (i % 3 == 1)
+      lines += "A" + number + " = (" + place + std::to_string(i % 7) + ")\n";
+    else if (i % 3 == 2)
+      lines += "M" + number + " = (Q + A" + std::to_string(i - 1) + ")/2\n";
+    else
+      lines += "g" + number + " = line(A" + std::to_string(i - 2) + ", M" + std::to_string(i - 1) + ")\n";
+  }
+  return {exploreId, 0, *readTypedScene(lines, "")};
+}
+
+/// One drag of the first handle of a session that can be grabbed.
 class Drag {
 public:
-  Drag(const std::string &lesson, TimedApplication &application)
-      : m_application(application), m_fixture(lesson), m_set(labelSetter(m_typesetter.fonts())),
-        m_paint(labelPainter(m_typesetter)) {
+  Drag(Session session, LessonLibrary library, TimedApplication &application)
+      : m_application(application), m_fixture(std::move(session), std::move(library)),
+        m_set(labelSetter(m_typesetter.fonts())), m_paint(labelPainter(m_typesetter)) {
     showMost();
     waitForQuiet();
     m_bare = std::make_unique<BareWindow>(view());
@@ -286,12 +310,18 @@ int main(int argc, char **argv) {
   QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
   TimedApplication application(argc, argv);
   const int moves = argc > 1 ? std::max(10, std::atoi(argv[1])) : usualMoves;
-  for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons) {
-    if (argc > 2 && lesson.id != argv[2])
+  const LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
+  std::vector<std::pair<std::string, Session>> sessions;
+  for (const Lesson &lesson : library.lessons)
+    sessions.emplace_back(lesson.id, startOf(lesson));
+  for (const int entries : exploreSizes)
+    sessions.emplace_back("explore-" + std::to_string(entries), exploreSession(entries));
+  for (const auto &[name, session] : sessions) {
+    if (argc > 2 && name != argv[2])
       continue;
-    Drag drag(lesson.id, application);
+    Drag drag(session, library, application);
     const Measured measured = drag.run(moves);
-    std::printf("\n%s, dragging %s, view of %d x %d pixels\n", lesson.id.c_str(), drag.handleId().c_str(),
+    std::printf("\n%s, dragging %s, view of %d x %d pixels\n", name.c_str(), drag.handleId().c_str(),
                 drag.view().screen().size().width, drag.view().screen().size().height);
     print(measured);
     printGoals(measured);

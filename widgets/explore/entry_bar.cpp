@@ -59,6 +59,7 @@ SuggestionList &EntryBar::suggestions() {
 
 void EntryBar::setSuggestions(const std::vector<Suggestion> &all, bool isFirstChosen) {
   suggestions().setSuggestions(all);
+  m_field->setCanComplete(!all.empty());
   suggestions().setCurrentRow(isFirstChosen && !all.empty() ? 0 : -1);
 }
 

@@ -57,8 +57,9 @@ bool EntryField::takeKey(int key) {
     emit stepped(1);
     return true;
   case Qt::Key_Tab:
-    emit completing();
-    return true;
+    if (m_canComplete)
+      emit completing();
+    return m_canComplete;
   case Qt::Key_Return:
   case Qt::Key_Enter:
     emit entering();

@@ -21,6 +21,8 @@ public:
   /// Draws a wavy line below a part, until the text changes; nothing: below none.
   void setFault(const std::optional<Part> &part);
   [[nodiscard]] const std::optional<Part> &fault() const { return m_fault; }
+  /// Whether there is a suggestion for Tab to take; else it leads to the next widget.
+  void setCanComplete(bool can) { m_canComplete = can; }
   void setFaultInk(const QColor &ink) { m_faultInk = ink; }
 
 signals:
@@ -39,6 +41,7 @@ private:
   /// Where a character begins, in pixels of the widget.
   [[nodiscard]] double placeOf(int character) const;
 
+  bool m_canComplete = false;
   std::optional<Part> m_fault;
   QColor m_faultInk = Qt::red;
 };

@@ -38,9 +38,6 @@ PageFoot::PageFoot()
 void PageFoot::setSteps(const QStringList &titles) {
   m_stepCount = static_cast<int>(titles.size());
   m_dots->setSteps(titles);
-  for (QWidget *part :
-       {static_cast<QWidget *>(m_back), static_cast<QWidget *>(m_dots), static_cast<QWidget *>(m_next)})
-    part->setVisible(m_stepCount > 0);
 }
 
 void PageFoot::setStep(int step) {
@@ -61,6 +58,8 @@ void PageFoot::showNext() {
   m_next->setText(endsLesson ? tr("Next lesson") : tr("Next"));
   m_next->setToolTip(endsLesson ? m_nextLesson : QString());
   m_next->setEnabled(!isLast || endsLesson);
+  for (QWidget *part : std::array<QWidget *, 3>{m_back, m_dots, m_next})
+    part->setVisible(m_stepCount > 1 || endsLesson); // else there is nowhere to go
   keepButtonsWhole();
 }
 

@@ -21,7 +21,7 @@ class PageFoot : public QHBoxLayout {
 public:
   PageFoot();
 
-  /// The titles of a lesson's steps; without steps there is nowhere to go.
+  /// The titles of a lesson's steps.
   void setSteps(const QStringList &titles);
   void setStep(int step);
   /// What the way on leads to behind the last step; empty: nowhere.

@@ -37,7 +37,7 @@ PageHead::PageHead(QWidget &tools) : m_above(new FlowLayout), m_number(plainLabe
 }
 
 void PageHead::setStep(int step, int stepCount, const QString &title) {
-  m_number->setText(stepCount > 0 ? tr("Step %1/%2").arg(step + 1).arg(stepCount) : QString());
+  m_number->setText(stepCount > 1 ? tr("Step %1/%2").arg(step + 1).arg(stepCount) : QString());
   m_title->setText(title);
   m_title->setVisible(!title.isEmpty());
 }
