@@ -65,6 +65,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "ray-box-slabs",
                                                "reflection",
                                                "shadow",
+                                               "three-planes",
                                                "triangle-degenerate",
                                                "nearest-hit"};
 /// Questions know no saucers, no frames and no screens.
@@ -327,6 +328,29 @@ TEST(SameAsEval, ClosestPoints_InTheirDistance) {
                                                    {"same", "coincident"},
                                                    {"opposite", "coincident"}};
     EXPECT_EQ(explained.at("case"), cases.at(found));
+    return compare(explained.at("values"), result, "");
+  });
+}
+
+/// Questions know two planes, and a plane with their line.
+TEST(SameAsEval, ThreePlanes_AsThatOfALineOfTwoWithTheThird) {
+  compareScenes("three-planes", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json pair = answerTo(questions().at("plane-plane"), {objects[0], objects[1]});
+    if (!pair.at("ok") || pair.at("result").at("case") != "line")
+      return 0;
+    const Json line{{"point", pair.at("result").at("point").at("exact")},
+                    {"direction", pair.at("result").at("direction").at("exact")}};
+    const Json answered =
+        answerTo(Json{{"query", "line-plane"}, {"line", line}, {"plane", operandOf(objects[2])}});
+    if (!answered.at("ok")) { // of long fractions the line has more digits than a question takes
+      EXPECT_TRUE(explained.at("degenerate") || answered.at("error").at("code") == "bad-operand") << answered;
+      return 0;
+    }
+    EXPECT_FALSE(explained.at("degenerate"));
+    const Json &result = answered.at("result");
+    const auto &found = explained.at("case").get_ref<const std::string &>();
+    EXPECT_EQ(found == "point", result.at("case") == "point");
+    EXPECT_EQ(found == "line", result.at("case") == "in-plane");
     return compare(explained.at("values"), result, "");
   });
 }

@@ -41,8 +41,7 @@ Claims plane_plane() {
        [](const TwoPlanes &at, const Said &said) {
          return vanishes(said.at("zero") == "n_E" ? at.E.normal : at.F.normal);
        }},
-      {"The constant d of {E}: its equation is n·P + d = 0.", arePlanes},
-      {"The constant d of {F}: its equation is n·P + d = 0.", arePlanes},
+      {"The constant d of {plane}: its equation is n·P + d = 0.", arePlanes},
       {"The line lies in both planes, so it is perpendicular to both normals.", meetInLine},
       {"The cross product is the zero vector: the normals lie along the same line, and the planes share no "
        "single line.",
