@@ -59,6 +59,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "dot-product-projection",
                                                "half-spaces",
                                                "line-ray-segment",
+                                               "parallel-plane",
                                                "plane-parametric",
                                                "point-line",
                                                "ray-plane-substitution",
@@ -352,6 +353,21 @@ TEST(SameAsEval, ThreePlanes_AsThatOfALineOfTwoWithTheThird) {
     EXPECT_EQ(found == "point", result.at("case") == "point");
     EXPECT_EQ(found == "line", result.at("case") == "in-plane");
     return compare(explained.at("values"), result, "");
+  });
+}
+
+/// Questions do not make planes, but tell the equation of each.
+int comparePlane(const Json &explained, const Json &plane) {
+  const Json answered = answerTo({{"query", "plane"}, {"plane", plane}});
+  EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+  return answered.at("ok") ? compare(explained.at("values"), answered.at("result"), "") : 0;
+}
+
+TEST(SameAsEval, ParallelPlane_AsThePlaneThroughThePoint) {
+  compareScenes("parallel-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const int compared = comparePlane(explained, operandOf(PlaneObject{objects[1][0], objects[0][1]}));
+    const Json answered = answerTo(questions().at("signed-distance"), objects);
+    return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
   });
 }
 
