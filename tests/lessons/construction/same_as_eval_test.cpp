@@ -60,6 +60,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "half-spaces",
                                                "line-ray-segment",
                                                "parallel-plane",
+                                               "perpendicular-plane",
                                                "plane-parametric",
                                                "point-line",
                                                "ray-plane-substitution",
@@ -367,6 +368,15 @@ TEST(SameAsEval, ParallelPlane_AsThePlaneThroughThePoint) {
   compareScenes("parallel-plane", [](const std::vector<Object> &objects, const Json &explained) {
     const int compared = comparePlane(explained, operandOf(PlaneObject{objects[1][0], objects[0][1]}));
     const Json answered = answerTo(questions().at("signed-distance"), objects);
+    return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+TEST(SameAsEval, PerpendicularPlane_AsThePlaneThroughThePointWithTheLine) {
+  compareScenes("perpendicular-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const PlaneObject plane{objects[1][0], objects[0][1]};
+    const int compared = comparePlane(explained, operandOf(plane));
+    const Json answered = answerTo(questions().at("line-plane"), {objects[0], plane});
     return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
   });
 }
