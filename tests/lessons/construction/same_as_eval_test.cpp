@@ -66,6 +66,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "ray-plane-substitution",
                                                "ray-box-slabs",
                                                "reflection",
+                                               "segment-plane",
                                                "shadow",
                                                "three-planes",
                                                "triangle-degenerate",
@@ -378,6 +379,20 @@ TEST(SameAsEval, PerpendicularPlane_AsThePlaneThroughThePointWithTheLine) {
     const int compared = comparePlane(explained, operandOf(plane));
     const Json answered = answerTo(questions().at("line-plane"), {objects[0], plane});
     return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+/// Questions have a ray, from one end towards the other.
+TEST(SameAsEval, SegmentPlane_AsARay) {
+  compareScenes("segment-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const RayObject ray{objects[0][0], objects[0][1] - objects[0][0]};
+    const Json answered = answerTo(questions().at("ray-plane-dot"), {objects[1], ray});
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(answered.at("result").at("case") == "in-plane", explained.at("case") == "in-plane");
+    EXPECT_EQ(answered.at("result").at("case") == "parallel", explained.at("case") == "parallel");
+    return compare(explained.at("values"), answered.at("result"), "");
   });
 }
 
