@@ -60,6 +60,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "half-spaces",
                                                "line-ray-segment",
                                                "parallel-plane",
+                                               "perpendicular-bisector",
                                                "perpendicular-plane",
                                                "plane-parametric",
                                                "point-line",
@@ -379,6 +380,14 @@ TEST(SameAsEval, PerpendicularPlane_AsThePlaneThroughThePointWithTheLine) {
     const int compared = comparePlane(explained, operandOf(plane));
     const Json answered = answerTo(questions().at("line-plane"), {objects[0], plane});
     return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+TEST(SameAsEval, PerpendicularBisector_AsThePlaneThroughTheMiddle) {
+  compareScenes("perpendicular-bisector", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 &from = objects[0][0];
+    const ExactVec3 &to = objects[1][0];
+    return comparePlane(explained, operandOf(PlaneObject{(from + to) / Rational(2), to - from}));
   });
 }
 
