@@ -62,6 +62,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "parallel-plane",
                                                "perpendicular-bisector",
                                                "perpendicular-plane",
+                                               "plane-bisectors",
                                                "plane-parametric",
                                                "point-line",
                                                "ray-plane-substitution",
@@ -401,6 +402,20 @@ TEST(SameAsEval, SegmentPlane_AsARay) {
       return 0;
     EXPECT_EQ(answered.at("result").at("case") == "in-plane", explained.at("case") == "in-plane");
     EXPECT_EQ(answered.at("result").at("case") == "parallel", explained.at("case") == "parallel");
+    return compare(explained.at("values"), answered.at("result"), "");
+  });
+}
+
+/// Questions know the line that the halving planes go through.
+TEST(SameAsEval, PlaneBisectors_InThePointOfBothPlanes) {
+  compareScenes("plane-bisectors", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo(questions().at("plane-plane"), objects);
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+    if (!answered.at("ok"))
+      return 0;
+    const auto &found = explained.at("case").get_ref<const std::string &>();
+    const bool isCrossing = found == "crossing" || found == "irrational";
+    EXPECT_EQ(answered.at("result").at("case"), isCrossing ? "line" : found);
     return compare(explained.at("values"), answered.at("result"), "");
   });
 }
