@@ -64,6 +64,7 @@ const std::set<std::string> withOtherQuestions{"clipping",
                                                "perpendicular-plane",
                                                "plane-bisectors",
                                                "plane-parametric",
+                                               "plane-through-line",
                                                "point-line",
                                                "ray-plane-substitution",
                                                "ray-box-slabs",
@@ -381,6 +382,14 @@ TEST(SameAsEval, PerpendicularPlane_AsThePlaneThroughThePointWithTheLine) {
     const int compared = comparePlane(explained, operandOf(plane));
     const Json answered = answerTo(questions().at("line-plane"), {objects[0], plane});
     return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+TEST(SameAsEval, PlaneThroughLine_AsThatOfThreePoints) {
+  compareScenes("plane-through-line", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 start = objects[0][0];
+    const Json points{numbersOf(start), numbersOf(start + objects[0][1]), numbersOf(objects[1][0])};
+    return comparePlane(explained, {{"points", points}});
   });
 }
 
