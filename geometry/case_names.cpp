@@ -1,5 +1,6 @@
 #include "geometry/case_names.h"
 
+#include "geometry/bisect_planes.h"
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_plane_sphere.h"
 #include "geometry/intersect_planes.h"
@@ -8,6 +9,8 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "geometry/intersect_segment_plane.h"
+#include "geometry/intersect_three_planes.h"
 #include "geometry/location.h"
 #include "geometry/point_line.h"
 #include "geometry/point_plane.h"
@@ -16,6 +19,22 @@
 namespace halfspace {
 
 // A case that is missing here does not compile.
+
+std::string_view nameOf(BisectPlanesCase which) {
+  switch (which) {
+  case BisectPlanesCase::Crossing:
+    return "crossing";
+  case BisectPlanesCase::Irrational:
+    return "irrational";
+  case BisectPlanesCase::Parallel:
+    return "parallel";
+  case BisectPlanesCase::Coincident:
+    return "coincident";
+  case BisectPlanesCase::ZeroNormal:
+    return "zero-normal";
+  }
+  return {};
+}
 
 std::string_view nameOf(FacePart which) {
   switch (which) {
@@ -207,6 +226,26 @@ std::string_view nameOf(RayTriangleCase which) {
   return {};
 }
 
+std::string_view nameOf(SegmentPlaneCase which) {
+  switch (which) {
+  case SegmentPlaneCase::Crosses:
+    return "crosses";
+  case SegmentPlaneCase::Touches:
+    return "touches";
+  case SegmentPlaneCase::Beside:
+    return "beside";
+  case SegmentPlaneCase::Parallel:
+    return "parallel";
+  case SegmentPlaneCase::InPlane:
+    return "in-plane";
+  case SegmentPlaneCase::ZeroLength:
+    return "zero-length";
+  case SegmentPlaneCase::ZeroNormal:
+    return "zero-normal";
+  }
+  return {};
+}
+
 std::string_view nameOf(SolidContacts which) {
   switch (which) {
   case SolidContacts::None:
@@ -241,6 +280,24 @@ std::string_view nameOf(SphereContacts which) {
     return "tangent";
   case SphereContacts::Two:
     return "two";
+  }
+  return {};
+}
+
+std::string_view nameOf(ThreePlanesCase which) {
+  switch (which) {
+  case ThreePlanesCase::Point:
+    return "point";
+  case ThreePlanesCase::Line:
+    return "line";
+  case ThreePlanesCase::Prism:
+    return "prism";
+  case ThreePlanesCase::Parallel:
+    return "parallel";
+  case ThreePlanesCase::Coincident:
+    return "coincident";
+  case ThreePlanesCase::ZeroNormal:
+    return "zero-normal";
   }
   return {};
 }

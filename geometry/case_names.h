@@ -6,6 +6,7 @@
 
 namespace halfspace {
 
+enum class BisectPlanesCase;
 enum class FacePart;
 enum class LineLineCase;
 enum class LinePlaneCase;
@@ -18,10 +19,13 @@ enum class RayPolygonCase;
 enum class RaySolidCase;
 enum class RaySphereCase;
 enum class RayTriangleCase;
+enum class SegmentPlaneCase;
 enum class SolidContacts;
 enum class SolidLocation;
 enum class SphereContacts;
+enum class ThreePlanesCase;
 
+[[nodiscard]] std::string_view nameOf(BisectPlanesCase which);
 [[nodiscard]] std::string_view nameOf(FacePart location);
 [[nodiscard]] std::string_view nameOf(LineLineCase which);
 [[nodiscard]] std::string_view nameOf(LinePlaneCase which);
@@ -34,8 +38,10 @@ enum class SphereContacts;
 [[nodiscard]] std::string_view nameOf(RaySolidCase which);
 [[nodiscard]] std::string_view nameOf(RaySphereCase which);
 [[nodiscard]] std::string_view nameOf(RayTriangleCase which);
+[[nodiscard]] std::string_view nameOf(SegmentPlaneCase which);
 [[nodiscard]] std::string_view nameOf(SolidContacts contacts);
 [[nodiscard]] std::string_view nameOf(SolidLocation location);
 [[nodiscard]] std::string_view nameOf(SphereContacts contacts);
+[[nodiscard]] std::string_view nameOf(ThreePlanesCase which);
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "geometry/case_names.h"
 
+#include "geometry/bisect_planes.h"
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/intersect_plane_sphere.h"
@@ -7,6 +8,8 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "geometry/intersect_segment_plane.h"
+#include "geometry/intersect_three_planes.h"
 #include "geometry/relate_lines.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +32,7 @@ template <class Case> void expectNamesApart(Case last) {
 }
 
 TEST(CaseNames, OfEveryQuery_AreThereAndApart) {
+  expectNamesApart(BisectPlanesCase::ZeroNormal);
   expectNamesApart(FacePart::Outside);
   expectNamesApart(LineLineCase::NotALine);
   expectNamesApart(LinePlaneCase::ZeroNormal);
@@ -39,15 +43,19 @@ TEST(CaseNames, OfEveryQuery_AreThereAndApart) {
   expectNamesApart(RaySolidCase::ZeroDirection);
   expectNamesApart(RaySphereCase::ZeroDirection);
   expectNamesApart(RayTriangleCase::ZeroDirection);
+  expectNamesApart(SegmentPlaneCase::ZeroNormal);
   expectNamesApart(SolidContacts::Along);
   expectNamesApart(SolidLocation::Inside);
   expectNamesApart(SphereContacts::Two);
+  expectNamesApart(ThreePlanesCase::ZeroNormal);
 }
 
 TEST(CaseNames, OfCasesThatSeveralQueriesHave_AreTheSame) {
   EXPECT_EQ(nameOf(RayPlaneCase::InPlane), nameOf(RayTriangleCase::InPlane));
   EXPECT_EQ(nameOf(RayPlaneCase::InPlane), nameOf(LinePlaneCase::InPlane));
+  EXPECT_EQ(nameOf(RayPlaneCase::InPlane), nameOf(SegmentPlaneCase::InPlane));
   EXPECT_EQ(nameOf(RayPlaneCase::Behind), nameOf(RaySphereCase::Behind));
+  EXPECT_EQ(nameOf(PlanePlaneCase::Coincident), nameOf(ThreePlanesCase::Coincident));
   EXPECT_EQ(nameOf(RayPlaneCase::ZeroDirection), nameOf(RaySolidCase::ZeroDirection));
 }
 

@@ -2,6 +2,7 @@
 // 1 and 3).
 #include "geometry/point_plane.h"
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/made_plane.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
 
@@ -151,12 +152,6 @@ std::vector<SpecialCase> nearby(const Out &at) {
 /// Four coefficients.
 template <class Four> Value rowOf(const Four &numbers) {
   return std::vector<Surd>(numbers.begin(), numbers.end());
-}
-
-ToldValue coefficientsValue(const Out &at) {
-  const auto &[normal, offset] = at.equation;
-  return {list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
-          std::vector<Surd>{normal.x, normal.y, normal.z, offset}};
 }
 
 ToldValue primitiveValue(const Out &at) {

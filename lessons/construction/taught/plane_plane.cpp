@@ -3,6 +3,7 @@
 #include "geometry/intersect_planes.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/acute_angle.h"
+#include "lessons/construction/parts/several_planes.h"
 #include "lessons/construction/parts/two_planes.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/line.h"
@@ -16,26 +17,17 @@ struct In : Naming {
   Given<PlaneObject> F;
 };
 
-/// d of a plane: −n·P0.
-Term constantOf(const PlaneTerms &plane, const std::string &owner, const Rational &value) {
-  Symbol d = letter("d");
-  d.owner = owner;
-  return name(std::move(d), value).standingFor(-dot(plane.n, plane.P0));
-}
-
 struct Out : Computed<In> {
   explicit Out(const In &objects) : Computed(objects) {}
 
-  Plane<Rational> first = planeThrough(in.E.object.point, in.E.object.normal);
-  Plane<Rational> second = planeThrough(in.F.object.point, in.F.object.normal);
-  PlanePlane<Rational> meet = intersectPlanes(first, second);
+  PlanePlane<Rational> meet = intersectPlanes(planeOf(in.E.object), planeOf(in.F.object));
   bool hasPlanes = meet.which != PlanePlaneCase::ZeroNormal;
   bool hasLine = meet.which == PlanePlaneCase::Line;
 
   PlaneTerms E = termsOf(in.E);
   PlaneTerms F = termsOf(in.F);
-  Term d1 = constantOf(E, in.E.id, first.offset);
-  Term d2 = constantOf(F, in.F.id, second.offset);
+  Term d1 = constantOf(in.E);
+  Term d2 = constantOf(in.F);
   Term v = madeName("g", "v", meet.line.direction);
   Term m = ownName(vectorLetter("m"), meet.line.moment);
   Term A = madeName("g", "A", meet.nearest); ///< the line's point nearest to the origin
@@ -158,12 +150,8 @@ Construction plane_plane() {
                   {named::vector("moment"), &Out::hasLine, &Out::m},
                   {named::vector("point"), &Out::hasLine, &Out::A},
                   {named::number("cos_angle"), &Out::hasPlanes, &Out::cosine}},
-       .lines = {{"d1", &Out::hasPlanes,
-                  [](const Out &at) { return withProducts(at.d1 == -dot(at.E.n, at.E.P0)); },
-                  says("The constant d of {E}: its equation is n·P + d = 0.")},
-                 {"d2", &Out::hasPlanes,
-                  [](const Out &at) { return withProducts(at.d2 == -dot(at.F.n, at.F.P0)); },
-                  says("The constant d of {F}: its equation is n·P + d = 0.")},
+       .lines = {{"d1", &Out::hasPlanes, [](const Out &at) { return givenConstantLine(at.in.E); }},
+                 {"d2", &Out::hasPlanes, [](const Out &at) { return givenConstantLine(at.in.F); }},
                  {"direction", &Out::hasPlanes, directionLine},
                  {"moment", &Out::hasLine,
                   [](const Out &at) { return withNumbers(at.m == at.d1 * at.F.n - at.d2 * at.E.n); },

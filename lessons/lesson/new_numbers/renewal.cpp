@@ -2,10 +2,12 @@
 
 #include "lessons/lesson/new_numbers/faces.h"
 #include "lessons/lesson/new_numbers/lighting.h"
+#include "lessons/lesson/new_numbers/several_planes.h"
 #include "lessons/lesson/new_numbers/sphere_numbers.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/segment.h"
 #include "lessons/object/kinds/ufo.h"
 #include "lessons/object/kinds/vector.h"
 
@@ -37,8 +39,9 @@ struct Inventory {
   std::ptrdiff_t planes;
   std::ptrdiff_t lines;
   std::ptrdiff_t vectors;
-  bool isLit;         ///< a vector is light that shines past points onto a plane
-  bool areFourPoints; ///< and nothing else
+  bool isLit;          ///< a vector is light that shines past points onto a plane
+  bool areFourPoints;  ///< and nothing else
+  bool areThreePlanes; ///< likewise
 };
 
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
@@ -88,7 +91,8 @@ private:
     m_face = drawFace(object, m_dice);
     if (!(m_face || drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) ||
           drawAs<PointObject>(object) || drawAs<RayObject>(object) || drawAs<LineObject>(object) ||
-          drawAs<VectorObject>(object) || drawAs<SphereObject>(object) || drawAs<UfoObject>(object)))
+          drawAs<SegmentObject>(object) || drawAs<VectorObject>(object) || drawAs<SphereObject>(object) ||
+          drawAs<UfoObject>(object)))
       drawAny(object);
   }
 
@@ -137,19 +141,10 @@ private:
       plane.normal = m_dice.normal();
     else if (m_light || m_nets.empty())
       plane.normal = m_dice.shortestNormal();
+    else if (m_scene.areThreePlanes)
+      drawOfThree(m_nets.front(), m_nets.back(), m_dice, plane);
     else
-      drawBeside(m_nets.front(), plane);
-  }
-
-  /// The line of two planes has long numbers unless both normals are very short. Now and then they are
-  /// parallel, or the same if there are no others.
-  void drawBeside(const Net &other, PlaneObject &plane) {
-    plane.normal = m_dice.direction(1);
-    if (!m_dice.once(alongOnceIn))
-      return;
-    plane.normal = other.normal * Rational(m_dice.sign());
-    if (m_scene.planes == 2 && m_dice.once(2))
-      plane.point = pointOf(other, m_dice);
+      drawBeside(m_nets.front(), m_scene.planes == 2, m_dice, plane);
   }
 
   /// Its barrel's length is divided by that of an arrow, which is often 3 or a multiple of it.
@@ -309,6 +304,20 @@ private:
     ray.direction = step * Rational(m_dice.between(1, 2));
   }
 
+  /// Its line meets what it looks for in a whole point, after steps from an end: between the ends, at one of
+  /// them or beyond. Now and then it is along it, or in it.
+  void draw(SegmentObject &segment) {
+    const Net *net = aim();
+    const ExactVec3 point = net ? pointOf(*net, m_dice) : m_dice.position();
+    ExactVec3 step = m_dice.direction(longestStep);
+    segment.from = point - step * Rational(m_dice.between(-2, 3));
+    if (net && m_dice.once(alongOnceIn)) {
+      step = directionAlong(*net, m_dice);
+      segment.from = m_dice.once(2) ? point : m_dice.position();
+    }
+    segment.to = segment.from + step * Rational(m_dice.between(1, 3));
+  }
+
   [[nodiscard]] bool isLit() const { return m_light && m_light->hasPlane(); }
 
   const Net *aim() {
@@ -345,8 +354,10 @@ void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, b
   };
   const auto points = count(PointObject::kind);
   const bool isLit = count(PlaneObject::kind) == 1 && count(VectorObject::kind) == 1 && points > 0;
-  const Inventory inventory{count(PlaneObject::kind), count(LineObject::kind), count(VectorObject::kind),
-                            isLit, points == 4 && objects.size() == 4};
+  const Inventory inventory{
+      count(PlaneObject::kind),           count(LineObject::kind),
+      count(VectorObject::kind),          isLit,
+      points == 4 && objects.size() == 4, objects.size() == 3 && count(PlaneObject::kind) == 3};
   Renewal renewal(dice, inventory, keepsCornersOnALine);
   // What is looked for comes before what looks for it: spheres look for planes, and lines for spheres.
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };

@@ -1,6 +1,8 @@
-// Segments: what lies between two points.
+#include "lessons/object/kinds/segment.h"
+
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
 #include "lessons/words.h"
 
 namespace halfspace {
@@ -24,10 +26,14 @@ void offer(const Given<Object> &given, Surroundings &found) {
 
 } // namespace
 
+SegmentTerms termsOf(const Given<SegmentObject> &segment) {
+  return {coordinateTerm(segment, 0), coordinateTerm(segment, 1)};
+}
+
 namespace object_kinds {
 
 Kind segment() {
-  return {.word = "segment",
+  return {.word = SegmentObject::kind,
           .noun = [] { return words("a segment"); },
           .meaning = "a segment by its ends",
           .subject = Subject::Ray,

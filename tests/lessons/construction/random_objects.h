@@ -1,6 +1,8 @@
 // Objects at random places, the unlucky ones among them on purpose.
 #pragma once
 
+#include "geometry/line.h"
+#include "geometry/plane.h"
 #include "lessons/construction/construction.h"
 #include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
@@ -13,6 +15,7 @@
 #include "lessons/object/kinds/polygon.h"
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/screen.h"
+#include "lessons/object/kinds/segment.h"
 #include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/object/kinds/ufo.h"
@@ -130,6 +133,10 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    if (objects.size() == 3 && std::all_of(objects.begin(), objects.end(), [](const Object &object) {
+          return kindOf(object) == PlaneObject::kind;
+        }))
+      return makeSpecialPlanes(objects[0], objects[1], objects[2]);
     if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
         kindOf(objects[1]) == LineObject::kind)
       return makeSpecialLines(objects[0], objects[1]);
@@ -173,6 +180,8 @@ private:
       makeSpecial(*sphere.typed, ray.typed->origin, ray.typed->direction);
     if (sphere.typed && plane.typed)
       makeSpecial(*sphere.typed, *plane.typed);
+    if (Found<SegmentObject> segment(objects); segment.typed && plane.typed)
+      makeSpecial(*segment.typed, *plane.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
     if (triangle.typed && objects.size() == 1)
@@ -204,6 +213,30 @@ private:
       line.direction = vectorAlongPlane(plane.normal);
     if (choice == 4 || choice == 5)
       line.point = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  /// Without a length, with an end in the plane, along the plane, in it, or through it in the middle.
+  void makeSpecial(SegmentObject &segment, const PlaneObject &plane) {
+    const ExactVec3 inPlane = plane.point + vectorAlongPlane(plane.normal);
+    switch (integer(0, 6)) {
+    case 0:
+      segment.to = segment.from;
+      break;
+    case 1:
+      segment.from = inPlane;
+      break;
+    case 2:
+      segment.to = inPlane;
+      break;
+    case 3:
+      segment.to = segment.from + vectorAlongPlane(plane.normal);
+      break;
+    case 4:
+      segment = {inPlane, ExactVec3(inPlane + vectorAlongPlane(plane.normal))};
+      break;
+    default:
+      segment.to = inPlane * Rational(2) - segment.from;
+    }
   }
 
   /// Parallel, the same, meeting, perpendicular, or one without a direction.
@@ -250,9 +283,9 @@ private:
         second[axis] = line[0][axis];
   }
 
-  /// Parallel, the same, perpendicular, or one without a normal.
+  /// Parallel, the same, one without a normal, perpendicular, or both with normals of the same length.
   void makeSpecialPair(Object &first, Object &second) {
-    const int choice = integer(0, 3);
+    const int choice = integer(0, 4);
     const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
     if (choice < 2)
       second[1] = first[1] * factor;
@@ -262,6 +295,45 @@ private:
       first[1] = {0, 0, 0};
     if (choice == 3)
       second[1] = vectorAlongPlane(first[1]);
+    if (choice == 4)
+      second[1] = {first[1].y, first[1].z, Rational(-first[1].x)};
+  }
+
+  /// Without a single common point: with a normal that is zero, a sum of the others or a multiple of one or
+  /// both; and then often with a point that brings them together.
+  void makeSpecialPlanes(Object &first, Object &second, Object &third) {
+    const auto factor = [&] { return Rational(integer(0, 1) == 0 ? -2 : 3); };
+    const ExactVec3 along = cross(first[1], second[1]);
+    switch (integer(0, 8)) {
+    case 0:
+      first[1] = {0, 0, 0};
+      return;
+    case 1:
+      second[1] = {0, 0, 0};
+      return;
+    case 2: // all along one line
+    case 3:
+      second[1] = first[1] * factor();
+      third[1] = first[1] * factor();
+      second[0] = first[0] + vectorAlongPlane(first[1]) + first[1] * Rational(integer(0, 1));
+      third[0] = first[0] + vectorAlongPlane(first[1]) + first[1] * Rational(integer(0, 1));
+      return;
+    case 4: // two of them
+      third[1] = first[1] * factor();
+      break;
+    case 5:
+      second[1] = third[1] * factor();
+      second[0] = third[0] + vectorAlongPlane(third[1]) + third[1] * Rational(integer(0, 1));
+      return;
+    default:
+      third[1] = first[1] * factor() + second[1];
+    }
+    if (integer(0, 1) == 0 && !isZero(along)) {
+      const Plane<Rational> one = planeThrough(first[0], first[1]);
+      const Plane<Rational> other = planeThrough(second[0], second[1]);
+      const ExactVec3 moment = second[1] * one.offset - first[1] * other.offset;
+      third[0] = nearestToOrigin(Line<Rational>{along, moment}) + along * number();
+    }
   }
 
   /// One zero, along each other, perpendicular, or from one point.

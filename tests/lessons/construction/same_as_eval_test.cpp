@@ -72,12 +72,19 @@ const std::set<std::string> withOtherQuestions{"circumsphere",
                                                "line-sphere",
                                                "plane-parametric",
                                                "plane-sphere",
+                                               "parallel-plane",
+                                               "perpendicular-bisector",
+                                               "perpendicular-plane",
+                                               "plane-bisectors",
+                                               "plane-through-line",
                                                "point-line",
                                                "point-point",
                                                "ray-plane-substitution",
                                                "ray-box-slabs",
                                                "reflection",
+                                               "segment-plane",
                                                "shadow",
+                                               "three-planes",
                                                "triangle-degenerate",
                                                "nearest-hit"};
 /// Questions know no saucers, no frames and no screens.
@@ -341,6 +348,97 @@ TEST(SameAsEval, ClosestPoints_InTheirDistance) {
                                                    {"opposite", "coincident"}};
     EXPECT_EQ(explained.at("case"), cases.at(found));
     return compare(explained.at("values"), result, "");
+  });
+}
+
+/// Questions know two planes, and a plane with their line.
+TEST(SameAsEval, ThreePlanes_AsThatOfALineOfTwoWithTheThird) {
+  compareScenes("three-planes", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json pair = answerTo(questions().at("plane-plane"), {objects[0], objects[1]});
+    if (!pair.at("ok") || pair.at("result").at("case") != "line")
+      return 0;
+    const Json line{{"point", pair.at("result").at("point").at("exact")},
+                    {"direction", pair.at("result").at("direction").at("exact")}};
+    const Json answered =
+        answerTo(Json{{"query", "line-plane"}, {"line", line}, {"plane", operandOf(objects[2])}});
+    if (!answered.at("ok")) { // of long fractions the line has more digits than a question takes
+      EXPECT_TRUE(explained.at("degenerate") || answered.at("error").at("code") == "bad-operand") << answered;
+      return 0;
+    }
+    EXPECT_FALSE(explained.at("degenerate"));
+    const Json &result = answered.at("result");
+    const auto &found = explained.at("case").get_ref<const std::string &>();
+    EXPECT_EQ(found == "point", result.at("case") == "point");
+    EXPECT_EQ(found == "line", result.at("case") == "in-plane");
+    return compare(explained.at("values"), result, "");
+  });
+}
+
+/// Questions do not make planes, but tell the equation of each.
+int comparePlane(const Json &explained, const Json &plane) {
+  const Json answered = answerTo({{"query", "plane"}, {"plane", plane}});
+  EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+  return answered.at("ok") ? compare(explained.at("values"), answered.at("result"), "") : 0;
+}
+
+TEST(SameAsEval, ParallelPlane_AsThePlaneThroughThePoint) {
+  compareScenes("parallel-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const int compared = comparePlane(explained, operandOf(PlaneObject{objects[1][0], objects[0][1]}));
+    const Json answered = answerTo(questions().at("signed-distance"), objects);
+    return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+TEST(SameAsEval, PerpendicularPlane_AsThePlaneThroughThePointWithTheLine) {
+  compareScenes("perpendicular-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const PlaneObject plane{objects[1][0], objects[0][1]};
+    const int compared = comparePlane(explained, operandOf(plane));
+    const Json answered = answerTo(questions().at("line-plane"), {objects[0], plane});
+    return answered.at("ok") ? compared + compare(explained.at("values"), answered.at("result"), "") : 0;
+  });
+}
+
+TEST(SameAsEval, PlaneThroughLine_AsThatOfThreePoints) {
+  compareScenes("plane-through-line", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 start = objects[0][0];
+    const Json points{numbersOf(start), numbersOf(start + objects[0][1]), numbersOf(objects[1][0])};
+    return comparePlane(explained, {{"points", points}});
+  });
+}
+
+TEST(SameAsEval, PerpendicularBisector_AsThePlaneThroughTheMiddle) {
+  compareScenes("perpendicular-bisector", [](const std::vector<Object> &objects, const Json &explained) {
+    const ExactVec3 &from = objects[0][0];
+    const ExactVec3 &to = objects[1][0];
+    return comparePlane(explained, operandOf(PlaneObject{(from + to) / Rational(2), to - from}));
+  });
+}
+
+/// Questions have a ray, from one end towards the other.
+TEST(SameAsEval, SegmentPlane_AsARay) {
+  compareScenes("segment-plane", [](const std::vector<Object> &objects, const Json &explained) {
+    const RayObject ray{objects[0][0], objects[0][1] - objects[0][0]};
+    const Json answered = answerTo(questions().at("ray-plane-dot"), {objects[1], ray});
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(answered.at("result").at("case") == "in-plane", explained.at("case") == "in-plane");
+    EXPECT_EQ(answered.at("result").at("case") == "parallel", explained.at("case") == "parallel");
+    return compare(explained.at("values"), answered.at("result"), "");
+  });
+}
+
+/// Questions know the line that the halving planes go through.
+TEST(SameAsEval, PlaneBisectors_InThePointOfBothPlanes) {
+  compareScenes("plane-bisectors", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo(questions().at("plane-plane"), objects);
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate"));
+    if (!answered.at("ok"))
+      return 0;
+    const auto &found = explained.at("case").get_ref<const std::string &>();
+    const bool isCrossing = found == "crossing" || found == "irrational";
+    EXPECT_EQ(answered.at("result").at("case"), isCrossing ? "line" : found);
+    return compare(explained.at("values"), answered.at("result"), "");
   });
 }
 

@@ -1,5 +1,6 @@
 // Entries as lines that somebody types.
 #include "lessons/construction/construction.h"
+#include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/typed/read_line.h"
@@ -117,6 +118,32 @@ TEST(TypedLine, OfAConstruction_TakesWhatFits_InAnyOrder) {
   EXPECT_EQ(use("s = intersect(r, E)").id, "ray-plane-dot");
   EXPECT_EQ(use("s = intersect(E, F)"), (ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}));
   EXPECT_EQ(use("s = ray-plane-substitution(E, F, r)").roles.at("planes").ids.size(), 2U);
+}
+
+TEST(TypedLine, OfSeveralPlanes_MeetsThemByTheirNumber) {
+  const std::vector<std::string> objects{"E: x = 1", "F: y = 2", "G: z = 3",
+                                         "s = (0, 0, 0) + t(2, 0, 0), 0 <= t <= 1"};
+  const auto scene = [&](const std::string &line) {
+    std::vector<std::string> lines = objects;
+    lines.push_back(line);
+    return typed(lines);
+  };
+  EXPECT_EQ(useOf(scene("h = intersect(E, G)")), (ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "G"}}}));
+  EXPECT_EQ(useOf(scene("h = intersect(E, s)")),
+            (ConstructionUse{"segment-plane", {{"s", "s"}, {"E", "E"}}}));
+  const Scene three = scene("h = intersect(E, F, G)");
+  EXPECT_EQ(useOf(three), (ConstructionUse{"three-planes", {{"E", "E"}, {"F", "F"}, {"G", "G"}}}));
+  EXPECT_EQ(evaluate(three).find("h")->offers.front().given->object, Object(PointObject{{1, 2, 3}}));
+}
+
+TEST(TypedLine, OfAMadePlane_TakesItAsAnyPlane) {
+  const Scene scene =
+      typed({"A = (0, 0, 0)", "B = (0, 0, 4)", "Q = (1, 2, 7)", "m = perpendicular-bisector(A, B)",
+             "p = parallel-plane(m, Q)", "d = distance(Q, m.E)", "h = distance(A, p.F)"});
+  const Evaluation evaluation = evaluate(scene);
+  EXPECT_EQ(std::get<ConstructionUse>(scene.entries[4].content).roles.at("E"), "m.E");
+  EXPECT_EQ(std::get<Surd>(*findValue(evaluation, "d.signed_distance")), Surd(5));
+  EXPECT_EQ(std::get<Surd>(*findValue(evaluation, "h.signed_distance")), Surd(-7));
 }
 
 TEST(TypedLine, OfWhatAnotherMakes_NamesIt) {

@@ -8,8 +8,7 @@ Claims plane_plane() {
       {"The normals are multiples of each other, and no point lies in both planes: {E} and {F} are parallel.",
        areParallel},
       {"{E} and {F} are the same plane: every point of one lies in the other.", areSame},
-      {"The constant d of {E}: its equation is n·P + d = 0.", arePlanes},
-      {"The constant d of {F}: its equation is n·P + d = 0.", arePlanes},
+      {"The constant d of {plane}: its equation is n·P + d = 0.", arePlanes},
       {"The line lies in both planes, so it is perpendicular to both normals.", meetInLine},
       {"The cross product is the zero vector: the normals lie along the same line, and the planes share no "
        "single line.",
