@@ -1,5 +1,6 @@
 // Each construction in Explore by the mouse alone, by keys alone, and typed.
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/solid.h"
 #include "tests/app/explore_fixture.h"
 
