@@ -106,13 +106,15 @@ TEST(CompleteLine, OfAName_OffersWhatUsuallyHasIt) {
 }
 
 TEST(CompleteLine, BetweenBrackets_OffersTheNamesThatFit) {
-  EXPECT_EQ(
-      completed("e = distance("),
-      (Lines{"e = distance(G, P)", "e = distance(E, P)", "e = distance(P, G)", "e = distance(D, G)",
-             "e = distance(C, G)", "e = distance(B, G)", "e = distance(A, G)", "e = distance(d.F, G)",
-             "e = distance(P, h)", "e = distance(D, h)", "e = distance(C, h)", "e = distance(B, h)",
-             "e = distance(A, h)", "e = distance(d.F, h)", "e = distance(h, P)", "e = distance(g, P)"}));
-  EXPECT_EQ(completed("e = distance(E, ").size(), 6U) << "six points";
+  EXPECT_EQ(completed("e = distance("),
+            (Lines{"e = distance(G, P)", "e = distance(E, P)",   "e = distance(P, G)", "e = distance(D, G)",
+                   "e = distance(C, G)", "e = distance(B, G)",   "e = distance(A, G)", "e = distance(d.F, G)",
+                   "e = distance(D, P)", "e = distance(P, D)",   "e = distance(C, P)", "e = distance(B, P)",
+                   "e = distance(A, P)", "e = distance(d.F, P)", "e = distance(P, h)", "e = distance(D, h)",
+                   "e = distance(C, h)", "e = distance(B, h)",   "e = distance(A, h)", "e = distance(d.F, h)",
+                   "e = distance(h, P)", "e = distance(g, P)",   "e = distance(g, h)", "e = distance(h, g)",
+                   "e = distance(E, G)", "e = distance(G, E)"}));
+  EXPECT_EQ(completed("e = distance(E, ").size(), 7U) << "six points and a plane";
   EXPECT_EQ(first("e = distance(E,"), "e = distance(E, P)");
   EXPECT_EQ(completed("e = distance(E, D"), Lines{"e = distance(E, D)"});
   EXPECT_EQ(completed("e = distance(E, v"), Lines());
@@ -141,7 +143,7 @@ TEST(CompleteLine, InAFormula_OffersItsNames) {
 TEST(CompleteLine, WithMoreBehindTheCursor_KeepsIt) {
   const std::string line = "e = distance(E, ) + 1";
   const auto completions = completionsOf(line, line.find(')'), playground(), '.', all);
-  ASSERT_EQ(completions.size(), 6U);
+  ASSERT_EQ(completions.size(), 7U);
   EXPECT_EQ(withSelection(completions.front()), "e = distance(E, P[]) + 1");
   EXPECT_FALSE(completions.front().isWhole);
   const std::string whole = "e = distance(E, A)";
