@@ -86,7 +86,7 @@ QString styleSheetOf(const Theme &theme) {
     QLineEdit#entryField { font-size: 110%; padding: 0.3em 0.5em; }
     QFrame#suggestions { border: 1px solid %1; border-radius: 4px; background: %3; }
     QFrame#suggestions QTreeView { border: none; background: transparent; }
-    QFrame#suggestions QTreeView::item { padding: 0.25em 0.5em; }
+    QFrame#suggestions QTreeView::item { border: none; padding: 0.25em 0.5em; }
     QFrame#suggestions QTreeView::item:selected { background: %5; color: %6; }
     QLabel#entrySentence { color: %2; padding: 0.35em 0.6em; }
     QLabel#entrySentence[wrong="true"] { color: %4; }

@@ -42,7 +42,8 @@ public:
       return {};
     return std::get<ConstructionUse>(scene.entries[m_construction.roles.size()].content);
   }
-  QString title() const { return QString::fromUtf8(m_construction.id.data()).replace('-', ' '); }
+  /// The button that makes it.
+  QPushButton *button() { return fit(QString::fromUtf8(m_construction.id.data()) + "("); }
 
 private:
   const Construction &m_construction;
@@ -74,7 +75,7 @@ private slots:
       fixture.list().scrollTo(fixture.row("object" + std::to_string(i)));
       fixture.clickRow("object" + std::to_string(i), i > 0 ? Qt::ControlModifier : Qt::NoModifier);
     }
-    QPushButton *fit = fixture.fit(fixture.title());
+    QPushButton *fit = fixture.button();
     QVERIFY(fit);
     QTest::mouseClick(fit, Qt::LeftButton);
     QCoreApplication::processEvents();
@@ -90,7 +91,7 @@ private slots:
       QTest::keyClick(&fixture.list(), Qt::Key_Down, Qt::ControlModifier);
       QTest::keyClick(&fixture.list(), Qt::Key_Space, Qt::ControlModifier);
     }
-    fit = fixture.fit(fixture.title());
+    fit = fixture.button();
     QVERIFY(fit);
     fit->setFocus();
     QTest::keyClick(fit, Qt::Key_Space);

@@ -54,10 +54,11 @@ public:
     QTest::qWait(30); // what was typed before has its rows
     QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, list().visualRect(row(id, 1)).center());
   }
-  QPushButton *fit(const QString &text) {
+  /// The button that makes something, by the beginning of the line that this would be behind its name.
+  QPushButton *fit(const QString &definition) {
     QCoreApplication::sendPostedEvents();
     for (QPushButton *button : fits().findChildren<QPushButton *>("fit"))
-      if (button->text() == text)
+      if (button->toolTip().section(" = ", 1).startsWith(definition))
         return button;
     return nullptr;
   }

@@ -173,7 +173,7 @@ private slots:
     fixture.clickRow("Q");
     fixture.clickRow("E", Qt::ControlModifier);
     QCOMPARE(fixture.selection().ids(), (std::vector<std::string>{"Q", "E"}));
-    QPushButton *distance = fixture.fit("signed distance");
+    QPushButton *distance = fixture.fit("signed-distance(");
     QVERIFY(distance);
     QTest::mouseClick(distance, Qt::LeftButton);
     QCoreApplication::processEvents();

@@ -2,27 +2,18 @@
 
 #include "lessons/object/kind.h"
 #include "widgets/colors.h"
+#include "widgets/explore/swatch.h"
 #include "widgets/scene_selection.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
-#include <QPixmap>
 
 #include <algorithm>
 #include <utility>
 
 namespace halfspace {
 namespace {
-
-/// The side of a swatch of colour in a menu, in pixels.
-constexpr int swatchSize = 12;
-
-QIcon swatchOf(const QColor &color) {
-  QPixmap swatch(swatchSize, swatchSize);
-  swatch.fill(color);
-  return swatch;
-}
 
 /// What people call a colour.
 QString titleOf(Hue hue) {

@@ -5,6 +5,7 @@
 #include "lessons/scene/offered_objects.h"
 #include "lessons/typed/entry_summary.h"
 #include "widgets/colors.h"
+#include "widgets/explore/swatch.h"
 #include "widgets/picture/theme.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ QVariant EntryRows::swatchIn(int row) const {
   const Given<Object> &given = *evaluated->looksAt.front();
   const auto subject = given.object.kind().subject;
   const auto hue = given.look.hue ? given.look.hue : subject ? std::optional(hueOf(*subject)) : std::nullopt;
-  return hue ? QVariant(toQColor(m_theme->colorOf(*hue))) : QVariant();
+  return hue ? QVariant(swatchOf(toQColor(m_theme->colorOf(*hue)))) : QVariant();
 }
 
 QVariant EntryRows::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -1,5 +1,6 @@
 #include "widgets/explore/fits_box.h"
 
+#include "lessons/construction/construction.h"
 #include "lessons/language.h"
 #include "lessons/object/kind.h"
 #include "lessons/typed/write_line.h"
@@ -11,7 +12,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
 #include <QVariant>
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -20,12 +23,25 @@ constexpr int gap = 4;
 /// A button knows by this its place among the fits.
 constexpr const char *placeProperty = "fit";
 
-/// What an entry would be, in words: “signed distance”, “triangle”.
-QString titleOf(const Entry &entry) {
-  const Kind *kind = kindOf(entry);
-  QString title = kind ? QString::fromUtf8(kind->word.data(), static_cast<int>(kind->word.size()))
-                       : QString::fromStdString(std::get<ConstructionUse>(entry.content).id);
-  return title.replace('-', ' ');
+QString inWords(std::string_view name) {
+  return QString::fromUtf8(name.data(), static_cast<int>(name.size())).replace('-', ' ');
+}
+
+std::string_view wordOf(const Fit &fit) {
+  const auto *use = std::get_if<ConstructionUse>(&fit.entry.content);
+  return use ? findConstruction(use->id)->word : std::string_view();
+}
+
+/// What an entry would be, in words: “triangle”; of a construction its word, “distance”, where no other of
+/// the fits has it, else its name, “plane plane”.
+QString titleOf(const Fit &fit, const std::vector<Fit> &all) {
+  if (const Kind *kind = kindOf(fit.entry))
+    return inWords(kind->word);
+  const std::string_view word = wordOf(fit);
+  const auto haveWord = std::count_if(all.begin(), all.end(), [&](const Fit &each) {
+    return wordOf(each) == word && each.wanted.has_value() == fit.wanted.has_value();
+  });
+  return inWords(!word.empty() && haveWord == 1 ? word : std::get<ConstructionUse>(fit.entry.content).id);
 }
 
 QString nounFor(const WantedObject &wanted) { return QString::fromStdString(nounOf(wanted.kind)); }
@@ -58,6 +74,7 @@ void FitsBox::showFits() {
   m_buttons = new QWidget;
   auto *flow = new FlowLayout(m_buttons);
   flow->setSpacing(gap);
+  flow->setContentsMargins(0, 0, 0, 0);
   layout()->addWidget(m_buttons);
   for (const Fit &fit : m_fits)
     addButton(fit);
@@ -72,7 +89,7 @@ void FitsBox::showFits() {
 }
 
 void FitsBox::addButton(const Fit &fit) {
-  const QString title = titleOf(fit.entry);
+  const QString title = titleOf(fit, m_fits);
   auto *button = new QPushButton(fit.wanted ? tr("%1 … and %2").arg(title, nounFor(*fit.wanted)) : title);
   button->setObjectName("fit");
   button->setProperty(placeProperty, static_cast<int>(m_buttons->layout()->count()));
