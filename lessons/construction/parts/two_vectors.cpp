@@ -25,6 +25,19 @@ PolygonMark parallelogramOf(std::string id, const Term &area, const Place &from,
   return {std::move(base), {from, from + first, from + first + second, from + second}};
 }
 
+void addHeight(Figure &figure, const Term &height, const Place &from, const ExactVec3 &u,
+               const ExactVec3 &v) {
+  const double along = toDouble(Rational(dot(u, v) / dot(u, u))); // to the foot, in lengths of u
+  const Place tip = from + place(v);
+  const Place foot = from + along * place(u);
+  figure.add(SegmentMark{drawn(height, Role::Derived, Subject::Measure), tip, foot});
+  figure.add(
+      RightAngleMark{{height->mark + "/angle", Role::Helper, Subject::Measure}, foot, place(u), tip - foot});
+  if (along < 0 || along > 1)
+    figure.add(SegmentMark{
+        {height->mark + "/base", Role::Helper, Subject::Measure}, along < 0 ? from : from + place(u), foot});
+}
+
 std::vector<SpecialCase> turnedNearby(const Given<VectorObject> &first, const Given<VectorObject> &second,
                                       const std::string &role, TurnedConditions conditions) {
   const auto parts = projectVector(second.object.vector, first.object.vector);

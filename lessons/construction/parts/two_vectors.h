@@ -21,6 +21,10 @@ void drawMoved(Figure &figure, const std::string &leader, const Place &from,
 [[nodiscard]] PolygonMark parallelogramOf(std::string id, const Term &area, const Place &from,
                                           const Place &first, const Place &second);
 
+/// The height over u, from the tip of v to the line of u, both drawn from a point. Where its foot lies beside
+/// u, the line is drawn up to there. Requires that u ≠ 0.
+void addHeight(Figure &figure, const Term &height, const Place &from, const ExactVec3 &u, const ExactVec3 &v);
+
 /// What holds when the second of two vectors is across the first, and when it lies along it.
 struct TurnedConditions {
   Conditions perpendicular;

@@ -195,15 +195,7 @@ void drawAreas(Figure &figure, const Out &at, const Place &from) {
   const Place v = place(at.v);
   figure.add(parallelogramOf(at.area->mark, norm(at.n), from, u, v));
   figure.add(PolygonMark{{at.half->mark, Role::Derived, Subject::Plane}, {from, from + u, from + v}});
-  const double along = toDouble(Rational(at.perps.uv / at.perps.uu)); // to the foot, in lengths of u
-  const Place foot = from + along * u;
-  figure.add(
-      SegmentMark{{at.height->mark, Role::Derived, Subject::Measure, latexOf(at.height)}, from + v, foot});
-  figure.add(
-      RightAngleMark{{at.height->mark + "/angle", Role::Helper, Subject::Measure}, foot, u, from + v - foot});
-  if (along < 0 || along > 1)
-    figure.add(SegmentMark{
-        {at.height->mark + "/base", Role::Helper, Subject::Measure}, along < 0 ? from : from + u, foot});
+  addHeight(figure, at.height, from, at.in.u.object.vector, at.in.v.object.vector);
 }
 
 /// u⊥, and u turned into its direction.

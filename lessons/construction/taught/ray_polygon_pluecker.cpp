@@ -2,6 +2,7 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/flattened_polygon.h"
 #include "lessons/construction/parts/place_rows.h"
 #include "lessons/construction/parts/plucker_edges.h"
 #include "lessons/construction/parts/product_signs.h"
@@ -304,21 +305,13 @@ void addShifted(const Out &at, std::vector<SpecialCase> &all) {
   }
 }
 
-/// The polygon with all corners moved into the plane of the first ones.
-SpecialCase flattened(const In &in) {
-  PolygonObject flat = in.W.object;
-  const Plane<Rational> plane = planeOf<Rational>(weighted(flat.corners));
-  for (ExactVec3 &corner : flat.corners)
-    corner -= plane.normal * Rational(evaluate(plane, corner) / dot(plane.normal, plane.normal));
-  return {isNot("case", "not-planar"), words("The corners would lie in one plane."), "W", flat};
-}
-
 std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   if (!at.hasDirection)
     return all;
   if (at.shape == PolygonShape::NotPlanar)
-    return {flattened(at.in)};
+    return {{isNot("case", "not-planar"), words("The corners would lie in one plane."), "W",
+             flattenedPolygon(at.in.W.object)}};
   if (!at.crosses)
     return all;
   addShifted(at, all);

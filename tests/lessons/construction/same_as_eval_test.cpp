@@ -86,7 +86,10 @@ const std::set<std::string> withOtherQuestions{"circumsphere",
                                                "shadow",
                                                "three-planes",
                                                "triangle-degenerate",
-                                               "nearest-hit"};
+                                               "nearest-hit",
+                                               "triangle-area",
+                                               "polygon-area",
+                                               "solid-volume"};
 /// Questions know no saucers, no frames and no screens.
 const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight", "camera-ray"};
 
@@ -730,6 +733,35 @@ void compareCircumspheres(std::string_view id) {
 TEST(SameAsEval, Circumsphere_InThePlanesHalfwayBetween) { compareCircumspheres("circumsphere"); }
 TEST(SameAsEval, CircumspherePoints_InThePlanesHalfwayBetween) {
   compareCircumspheres("circumsphere-points");
+}
+
+/// Questions have the plane of three points: its normal is twice as long as the area.
+TEST(SameAsEval, TriangleArea_InTheNormalOfItsPlane) {
+  compareScenes("triangle-area", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo({{"query", "plane"}, {"plane", {{"points", operandOf(objects[0])}}}});
+    EXPECT_EQ(answered.at("ok"), explained.at("case") == "proper");
+    if (!answered.at("ok"))
+      return 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(explained.at("values").at("normal").at("exact").at(axis),
+                answered.at("result").at("coefficients").at("exact").at(axis));
+    return 1;
+  });
+}
+
+/// Questions have no areas, but refuse polygons that are not flat; those that they take do not meet
+/// themselves.
+TEST(SameAsEval, PolygonArea_InWhatIsFlat) {
+  compareScenes("polygon-area", [](const std::vector<Object> &objects, const Json &explained) {
+    const Json answered = answerTo({"ray-polygon", {"polygon", "ray"}},
+                                   {objects[0], RayObject{objects[0][0], ExactVec3(1, 2, 3)}});
+    const bool isRefused = !answered.at("ok") && answered.at("error").at("code") == "not-planar";
+    EXPECT_EQ(explained.at("case") == "not-planar", isRefused) << answered;
+    if (answered.at("ok")) {
+      EXPECT_EQ(explained.at("case"), "simple");
+    }
+    return 1;
+  });
 }
 
 TEST(SameAsEval, TriangleDegenerate_WhereThereIsNoPlane) {

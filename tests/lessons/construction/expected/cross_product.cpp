@@ -69,28 +69,6 @@ Recomputed recompute(Objects objects) {
   return expected;
 }
 
-/// Of a×b, with one thing done wrongly.
-void addCross(std::vector<WrongAnswer> &all, const char *id, const ExactVec3 &a, const ExactVec3 &b) {
-  const ExactVec3 right = perpendicular(a, b);
-  addVector(all, id, "the other way round", ExactVec3(-right), right);
-  addVector(all, id, "coordinate by coordinate", ExactVec3(a.x * b.x, a.y * b.y, a.z * b.z), right);
-  addVector(all, id, "the second sign lost", {right.x, Rational(-right.y), right.z}, right);
-  for (int i = 0; i < 3; ++i) {
-    const Rational first = a[(i + 1) % 3] * b[(i + 2) % 3];
-    const Rational second = a[(i + 2) % 3] * b[(i + 1) % 3];
-    const auto addOne = [&](const char *how, const Rational &coordinate) {
-      ExactVec3 wrong = right;
-      wrong[i] = coordinate;
-      addVector(all, id, how, wrong, right);
-    };
-    addOne("products added", Rational(first + second));
-    addOne("the second product dropped", first);
-    addOne("the first product dropped", Rational(-second));
-    addOne("the difference reversed", Rational(second - first));
-    addOne("a coordinate that belongs elsewhere", Rational(a[i] * b[(i + 1) % 3] - a[(i + 1) % 3] * b[i]));
-  }
-}
-
 void addAreas(std::vector<WrongAnswer> &all, const ExactVec3 &u, const ExactVec3 &v, const ExactVec3 &n) {
   const Rational nn = times(n, n);
   addLength(all, "length", n);

@@ -83,22 +83,6 @@ private:
   std::vector<WrongAnswer> &m_all;
 };
 
-void addCross(std::vector<WrongAnswer> &all, const char *id, const ExactVec3 &a, const ExactVec3 &b) {
-  const ExactVec3 right = perpendicular(a, b);
-  VectorLine line(id, right, all);
-  line.add("the other way round", -right);
-  line.add("coordinates multiplied", {a.x * b.x, a.y * b.y, a.z * b.z});
-  for (int i = 0; i < 3; ++i) {
-    ExactVec3 wrong = right;
-    wrong[i] = -right[i];
-    line.add("one coordinate with the wrong sign", wrong);
-    wrong[i] = a[(i + 1) % 3] * b[(i + 2) % 3];
-    line.add("one product dropped", wrong);
-    wrong[i] = a[(i + 1) % 3] * b[(i + 2) % 3] + a[(i + 2) % 3] * b[(i + 1) % 3];
-    line.add("one product added", wrong);
-  }
-}
-
 void addHeight(std::vector<WrongAnswer> &all, const Three &at) {
   const Rational nn = times(at.n, at.n);
   Line line("height", Surd::root(nn, Rational(at.D / nn)), all);

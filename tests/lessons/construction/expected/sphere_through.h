@@ -119,6 +119,8 @@ inline std::vector<WrongAnswer> wrongAnswersThrough(const FourPoints &points) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string id = "side" + std::to_string(i + 1);
     addVector(all, id.c_str(), "backwards", -sides.at(i), sides.at(i));
+    const std::string product = "cross" + std::to_string(i + 1);
+    addCross(all, product.c_str(), sides.at((i + 1) % 3), sides.at((i + 2) % 3));
   }
   const ExactVec3 across = perpendicular(sides[1], sides[2]);
   addProduct(all, "det", sides[0], across);

@@ -179,6 +179,30 @@ inline void addPointOnRay(std::vector<WrongAnswer> &all, const char *id, const E
   }
 }
 
+/// Of a×b, with one thing done wrongly.
+inline void addCross(std::vector<WrongAnswer> &all, const char *id, const ExactVec3 &a, const ExactVec3 &b) {
+  ExactVec3 right;
+  for (int i = 0; i < 3; ++i)
+    right[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+  addVector(all, id, "the other way round", ExactVec3(-right), right);
+  addVector(all, id, "coordinate by coordinate", ExactVec3(a.x * b.x, a.y * b.y, a.z * b.z), right);
+  addVector(all, id, "the second sign lost", {right.x, Rational(-right.y), right.z}, right);
+  for (int i = 0; i < 3; ++i) {
+    const Rational first = a[(i + 1) % 3] * b[(i + 2) % 3];
+    const Rational second = a[(i + 2) % 3] * b[(i + 1) % 3];
+    const auto addOne = [&](const char *how, const Rational &coordinate) {
+      ExactVec3 wrong = right;
+      wrong[i] = coordinate;
+      addVector(all, id, how, wrong, right);
+    };
+    addOne("products added", Rational(first + second));
+    addOne("the second product dropped", first);
+    addOne("the first product dropped", Rational(-second));
+    addOne("the difference reversed", Rational(second - first));
+    addOne("a coordinate that belongs elsewhere", Rational(a[i] * b[(i + 1) % 3] - a[(i + 1) % 3] * b[i]));
+  }
+}
+
 /// A fraction of two numbers, each of which may have gone wrong.
 inline void addFraction(Line &line, const Rational &top, const Rational &bottom) {
   line.addRatio("upside down", bottom, top);
