@@ -764,6 +764,18 @@ TEST(SameAsEval, PolygonArea_InWhatIsFlat) {
   });
 }
 
+/// Questions have no volumes, but take convex solids alone, which have one.
+TEST(SameAsEval, SolidVolume_OfWhatIsConvex) {
+  compareScenes("solid-volume", [](const std::vector<Object> &objects, const Json &explained) {
+    const RayObject ray{objects[0][0], ExactVec3(1, 2, 3)};
+    const Json answered = answerTo({"ray-solid", {"solid", "ray"}}, {objects[0], ray});
+    if (!answered.at("ok"))
+      return 0;
+    EXPECT_EQ(explained.at("case"), "solid");
+    return 1;
+  });
+}
+
 TEST(SameAsEval, TriangleDegenerate_WhereThereIsNoPlane) {
   compareScenes("triangle-degenerate", [](const std::vector<Object> &objects, const Json &explained) {
     const ExactVec3 &corner = objects[0][0];

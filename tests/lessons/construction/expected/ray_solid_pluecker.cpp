@@ -1,131 +1,9 @@
-#include "lessons/object/corners.h"
-#include "lessons/object/kind.h"
 #include "lessons/object/kinds/ray.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/expected/bodies.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 
 namespace halfspace::test {
 namespace {
-
-using Corners = std::vector<ExactVec3>;
-using Face = std::vector<std::size_t>;
-
-/// A solid by its corners, faces that are counterclockwise from outside, and what is wrong with it.
-struct Body {
-  Corners corners;
-  std::vector<Face> faces;
-  Names names; ///< of the corners
-  const char *problem = nullptr;
-};
-
-std::string numbered(const std::string &letter, std::size_t index) {
-  const std::string digits = std::to_string(index);
-  return letter + "_" + (digits.size() > 1 ? "{" + digits + "}" : digits);
-}
-
-ExactVec3 areaOf(const Corners &corners) {
-  ExactVec3 area{0, 0, 0};
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += perpendicular(ExactVec3(corners[i] - corners[0]),
-                          ExactVec3(corners[(i + 1) % corners.size()] - corners[0]));
-  return area;
-}
-
-Corners cornersOf(const Body &body, const Face &face) {
-  Corners corners;
-  for (const std::size_t corner : face)
-    corners.push_back(body.corners[corner]);
-  return corners;
-}
-
-bool isPlanar(const Corners &corners) {
-  for (const ExactVec3 &a : corners)
-    for (const ExactVec3 &b : corners)
-      for (const ExactVec3 &c : corners)
-        if (determinant(a - corners[0], b - corners[0], c - corners[0]) != 0)
-          return false;
-  return true;
-}
-
-/// Seen from each edge all other corners lie to its left.
-bool isConvex(const Corners &corners) {
-  const ExactVec3 area = areaOf(corners);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      if (determinant(area, corners[(i + 1) % corners.size()] - corners[i],
-                      corners[(i + k) % corners.size()] - corners[i]) <= 0)
-        return false;
-  return true;
-}
-
-void turnInsideOut(Body &body) {
-  for (Face &face : body.faces)
-    std::reverse(face.begin() + 1, face.end());
-}
-
-Body bodyOfBox(const Object &box) {
-  Body body;
-  for (int i = 0; i < 8; ++i) {
-    body.corners.emplace_back(box[0].x + (i % 2) * box[1].x, box[0].y + (i / 2 % 2) * box[2].x,
-                              box[0].z + (i / 4) * box[3].x);
-  }
-  body.names = {{"P_0", quantity(box[0])},
-                {"a", quantity(box[1].x)},
-                {"b", quantity(box[2].x)},
-                {"c", quantity(box[3].x)}};
-  body.faces = {{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  if (box[1].x == 0 || box[2].x == 0 || box[3].x == 0)
-    body.problem = "flat";
-  return body;
-}
-
-Body bodyOfTetrahedron(const Object &object) {
-  Body body{{object[0], object[1], object[2], object[3]},
-            {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}},
-            {},
-            nullptr};
-  for (std::size_t i = 0; i < 4; ++i)
-    body.names[numbered("P", i)] = quantity(object[i]);
-  const Rational volume = determinant(object[1] - object[0], object[2] - object[0], object[3] - object[0]);
-  if (volume > 0)
-    turnInsideOut(body);
-  if (volume == 0)
-    body.problem = "flat";
-  return body;
-}
-
-Body bodyOfPrism(const Object &object) {
-  Body body;
-  const ExactVec3 &way = object[1];
-  for (const std::size_t corner : halfspace::cornersOf(object))
-    body.corners.push_back(object[corner]);
-  const Corners base = body.corners;
-  const std::size_t count = base.size();
-  body.names["\\vec h"] = quantity(way);
-  body.faces = {{0}, {}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = (i + 1) % count;
-    body.corners.emplace_back(base[i] + way);
-    body.names[numbered("P", i)] = quantity(base[i]);
-    if (i > 0)
-      body.faces[0].push_back(count - i);
-    body.faces[1].push_back(i + count);
-    body.faces.push_back({i, next, next + count, i + count});
-  }
-  if (product(areaOf(base), way) < 0)
-    turnInsideOut(body);
-  body.problem = isPlanar(body.corners) ? "flat"
-                 : !isPlanar(base)      ? "not-planar"
-                 : !isConvex(base)      ? "not-convex"
-                                        : nullptr;
-  return body;
-}
-
-Body bodyOf(const Object &object) {
-  return kindOf(object) == "box"           ? bodyOfBox(object)
-         : kindOf(object) == "tetrahedron" ? bodyOfTetrahedron(object)
-                                           : bodyOfPrism(object);
-}
 
 /// Pairs of neighbours, by the lower corner and then by the higher one. Each runs as the first face has it.
 struct Edge {
@@ -161,7 +39,7 @@ struct Slab {
 std::vector<Slab> slabsOf(const Body &body, const RayObject &ray) {
   std::vector<Slab> slabs;
   for (const Face &face : body.faces) {
-    const ExactVec3 normal = areaOf(cornersOf(body, face));
+    const ExactVec3 normal = twiceAreaOf(cornersOf(body, face));
     slabs.push_back({normal, product(normal, ray.direction),
                      product(normal, ExactVec3(body.corners[face[0]] - ray.origin))});
   }
@@ -197,10 +75,11 @@ std::optional<Chord> chordOf(const std::vector<Slab> &slabs) {
 }
 
 std::string locationIn(const Body &body, std::size_t face, const ExactVec3 &point) {
-  const Corners corners = cornersOf(body, body.faces[face]);
+  const CornerList corners = cornersOf(body, body.faces[face]);
   int onEdges = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    if (determinant(areaOf(corners), corners[(i + 1) % corners.size()] - corners[i], point - corners[i]) == 0)
+    if (determinant(twiceAreaOf(corners), corners[(i + 1) % corners.size()] - corners[i],
+                    point - corners[i]) == 0)
       ++onEdges;
   return onEdges == 0 ? "interior" : onEdges == 1 ? "edge" : "vertex";
 }
@@ -208,7 +87,7 @@ std::string locationIn(const Body &body, std::size_t face, const ExactVec3 &poin
 void addContact(const Body &body, const RayObject &ray, std::size_t face, const Rational &t,
                 const std::string &group, std::size_t index, Recomputed &expected) {
   const ExactVec3 point = ray.origin + ray.direction * t;
-  const Corners corners = cornersOf(body, body.faces[face]);
+  const CornerList corners = cornersOf(body, body.faces[face]);
   expected.values[group + ".point"] = numbers(point);
   expected.values[group + ".face"] = static_cast<int>(face);
   expected.values[group + ".location"] = locationIn(body, face, point);
@@ -315,7 +194,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
     addPermuted(all, body, edges[i], i, ray);
   if (const auto chord = chordOf(slabsOf(body, ray)))
     for (const auto &[id, face] : {std::pair("t1", chord->in), std::pair("t2", chord->out)}) {
-      const Corners corners = cornersOf(body, body.faces[face]);
+      const CornerList corners = cornersOf(body, body.faces[face]);
       addParameter(all, id,
                    perpendicular(ExactVec3(corners[1] - corners[0]), ExactVec3(corners[2] - corners[0])),
                    corners[0], ray);
