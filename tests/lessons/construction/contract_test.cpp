@@ -4,6 +4,7 @@
 #include "tests/lessons/construction/expected/expected.h"
 #include "tests/lessons/construction/precise.h"
 #include "tests/lessons/construction/random_objects.h"
+#include "tests/lessons/construction/same_numbers.h"
 #include "tests/test_name.h"
 
 #include "geometry/surd.h"
@@ -154,28 +155,6 @@ private:
     EXPECT_EQ(outcome().told->degenerate, m_expected.degenerate);
     EXPECT_FALSE(outcome().told->description.empty());
     EXPECT_EQ(outcome().told->description.find('{'), std::string::npos) << outcome().told->description;
-  }
-
-  static bool isSame(const Surd &number, const SumWithRoot &expected) {
-    return signedSquares({number + Rational(-expected.number)}).front() == expected.signedSquare;
-  }
-
-  static bool areSame(const std::vector<Surd> &numbers,
-                      const std::variant<SignedSquares, SumsWithRoots, std::string, int> &expected) {
-    const auto *sums = std::get_if<SumsWithRoots>(&expected);
-    return sums ? std::equal(numbers.begin(), numbers.end(), sums->begin(), sums->end(), isSame)
-                : std::get<SignedSquares>(expected) == signedSquares(numbers);
-  }
-
-  static SignedSquares signedSquares(const std::vector<Surd> &numbers) {
-    SignedSquares squares;
-    for (const Surd &number : numbers) {
-      EXPECT_TRUE(number.isRational() || number.rationalPart() == 0);
-      EXPECT_TRUE(std::isfinite(toDouble(number)));
-      squares.push_back(Rational(signedSquare(number.rationalPart()) +
-                                 signedSquare(number.rootFactor()) * number.radicand()));
-    }
-    return squares;
   }
 
   void checkValues(const std::vector<NamedValue> &values, const std::string &group) {
