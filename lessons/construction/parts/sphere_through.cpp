@@ -101,11 +101,12 @@ WorkingLine sideLine(const SphereThrough &at, std::size_t index) {
 
 WorkingLine equationLine(const SphereThrough &at, std::size_t index) {
   const Term &side = at.sides.at(index);
-  const Term left = dot(side, anyPoint() - at.corners[0]) - dot(side, side) / 2;
+  const Term anywhere = list({unknown("x"), unknown("y"), unknown("z")}); // a point may be called P
+  const Term left = dot(side, anywhere - at.corners[0]) - dot(side, side) / 2;
   return askedEquation(
       condition((0 == left).then(numbersPutIn(left)).then(calculated(left))),
-      words("This holds for the points P that are as far from {from} as from {to}: in "
-            "|P − {from}|² = |P − {to}|² the squares of x, y and z cancel.",
+      words("This holds for the points (x, y, z) that are as far from {from} as from {to}: in the squares of "
+            "both distances x², y² and z² are the same.",
             {{"from", plainText(at.corners[0])}, {"to", plainText(at.corners.at(index + 1))}}));
 }
 
@@ -117,13 +118,13 @@ WorkingLine crossLine(const SphereThrough &at, std::size_t index) {
 }
 
 WorkingLine volumeLine(const SphereThrough &at) {
-  return asked(withProducts(at.V == dot(at.sides[0], at.normals[0])),
-               at.hasSphere
-                   ? words("The determinant of the three equations. It is not 0: one point P fulfils "
-                           "all of them.")
-                   : words("The determinant of the equations for the centre is 0: the four points "
-                           "lie in one plane."),
-               {{-at.V, words("{answer} has the wrong sign.")}});
+  return asked(
+      withProducts(at.V == dot(at.sides[0], at.normals[0])),
+      at.hasSphere
+          ? words("The determinant of the three equations. It is not 0: one point fulfils all of them.")
+          : words("The determinant of the equations for the centre is 0: the four points "
+                  "lie in one plane."),
+      {{-at.V, words("{answer} has the wrong sign.")}});
 }
 
 WorkingLine centerLine(const SphereThrough &at) {

@@ -49,9 +49,10 @@ CaseWords tell(const Out &at) {
                    {"H1", plainText(at.contacts[0].H)},
                    {"H2", plainText(at.contacts[1].H)}})};
   case SphereContacts::Tangent:
-    return {caseName,
-            words("D = 0: the line {g} touches the sphere in one point, {H1}, with {t1}.", at.letters,
-                  {{"t1", equation(at.contacts[0].t)}, {"H1", plainText(at.contacts[0].H)}})};
+    return {caseName, words("{D}: the line {g} touches the sphere in one point, {H1}, with {t1}.", at.letters,
+                            {{"D", equation(at.D)},
+                             {"t1", equation(at.contacts[0].t)},
+                             {"H1", plainText(at.contacts[0].H)}})};
   case SphereContacts::None:
     break;
   }

@@ -68,9 +68,9 @@ CaseWords tell(const Out &at) {
                   at.letters, {{"h", h}, {"rho", equation(at.rho)}})};
   case PlaneSphereCase::GreatCircle:
     return {caseName,
-            words("h = 0: the plane {E} goes through the centre, and cuts the sphere in a great circle. "
+            words("{h}: the plane {E} goes through the centre, and cuts the sphere in a great circle. "
                   "Its radius is {R}, as that of the sphere.",
-                  at.letters)};
+                  at.letters, {{"h", h}})};
   case PlaneSphereCase::Tangent:
     return {caseName, words("{h} is as much as {R}: the plane {E} touches the sphere in one point, {M}.",
                             at.letters, {{"h", h}})};

@@ -74,11 +74,10 @@ inline bool areFlat(const FourPointsLifted &at) { return at.areFlat(); }
          return at.isOnCircle() && !at.areTwoOne() && !at.areThreeOnALine();
        }},
       {"From {from} to {to}.", always},
-      {"This holds for the points P that are as far from {from} as from {to}: in |P − {from}|² = |P − {to}|² "
-       "the "
-       "squares of x, y and z cancel.",
+      {"This holds for the points (x, y, z) that are as far from {from} as from {to}: in the squares of both "
+       "distances x², y² and z² are the same.",
        hasSphere},
-      {"The determinant of the three equations. It is not 0: one point P fulfils all of them.", hasSphere},
+      {"The determinant of the three equations. It is not 0: one point fulfils all of them.", hasSphere},
       {"The determinant of the equations for the centre is 0: the four points lie in one plane.", areFlat},
       {"The solution of the three equations, by Cramer's rule: the centre.", hasSphere},
       {"The radius: how far the centre is from any of the four.", hasSphere},

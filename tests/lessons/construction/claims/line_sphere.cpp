@@ -28,7 +28,7 @@ Claims line_sphere() {
            {"{D} is positive: the line {g} meets the sphere in two points, {H1} with {t1} and {H2} with "
             "{t2}.",
             isCut},
-           {"D = 0: the line {g} touches the sphere in one point, {H1}, with {t1}.", isTouched},
+           {"{D}: the line {g} touches the sphere in one point, {H1}, with {t1}.", isTouched},
            {"{D} is negative and has no real square root: no t fits, and the line {g} misses the sphere.",
             isMissed},
            {"From the centre {c} to {A}.", always},

@@ -47,7 +47,7 @@ Claims plane_sphere() {
        [](const PlaneAtSphere &at) { return !at.isPlane(); }},
       {"{h} is less than {R}: the plane {E} cuts the sphere in a circle around {M}, whose radius is {rho}.",
        [](const PlaneAtSphere &at) { return at.isCut() && at.f != 0; }},
-      {"h = 0: the plane {E} goes through the centre, and cuts the sphere in a great circle. Its radius is "
+      {"{h}: the plane {E} goes through the centre, and cuts the sphere in a great circle. Its radius is "
        "{R}, as that of the sphere.",
        [](const PlaneAtSphere &at) { return at.isCut() && at.f == 0; }},
       {"{h} is as much as {R}: the plane {E} touches the sphere in one point, {M}.", isTouched},
