@@ -50,7 +50,7 @@ void SceneMenu::addLines(FieldPresenter &field) {
     });
   };
   add(tr("&Number…"), NumberObject::kind, "%1 = 1, 0 <= %1 <= 5, step 1/2");
-  add(tr("Plane by Its &Equation…"), PlaneObject::kind, "%1: x + 2y + 2z = 9");
+  add(tr("Plane by its &equation…"), PlaneObject::kind, "%1: x + 2y + 2z = 9");
 }
 
 } // namespace halfspace
