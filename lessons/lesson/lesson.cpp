@@ -141,6 +141,10 @@ std::optional<Problem> readDrawn(const TextBlock &block, const std::string &file
   return readMarkIds(block, file, open.step);
 }
 
+std::optional<Problem> addHidden(const TextBlock &block, const std::string &file, OpenStep &open) {
+  return readHidden(block, file, open.step);
+}
+
 std::optional<Problem> addTerm(const TextBlock &block, const std::string &file, OpenStep &open) {
   auto term = readTerm(block, file);
   if (!term)
@@ -176,7 +180,8 @@ constexpr std::array instructions{Instruction{"lines", &addBlock<readLines>},
                                   Instruction{"blank", &readBlank},
                                   Instruction{"term", &addTerm},
                                   Instruction{"formulas", &addFormulas},
-                                  Instruction{"draw", &readDrawn}};
+                                  Instruction{"draw", &readDrawn},
+                                  Instruction{"hide", &addHidden}};
 
 /// Puts a fenced block where it belongs in the step.
 std::optional<Problem> addFence(const Fence &fence, OpenStep &open, const std::string &file) {

@@ -37,6 +37,9 @@
 //   ```draw
 //   F
 //   ```
+//   ```hide
+//   E
+//   ```
 //   ```flight
 //   {frame: frame, seed: seed, hits: nearest, first-seed: 7}
 //   ```
@@ -184,6 +187,8 @@ struct LessonStep {
   std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
   std::vector<TaughtTerm> terms{};
   std::vector<StepWords> formulas{}; ///< to be kept; not on the page, see chapter_formulas.h
+  std::vector<std::string> hidden{}; ///< entries of the scene of which its figure has nothing
+  std::vector<int> hiddenLines{};    ///< where each of them is named in the file
 };
 
 // The blocks of one sort, from top to bottom.

@@ -1,6 +1,7 @@
 #include "lessons/lesson/lesson_fields.h"
 
 #include "lessons/lesson/condition.h"
+#include "lessons/lesson/lesson_markup.h"
 #include "lessons/reading/value_name.h"
 #include "lessons/scene/file/camera_reader.h"
 #include "lessons/scene/file/scene_reader.h"
@@ -353,8 +354,21 @@ std::optional<Problem> readMarkIds(const TextBlock &block, const std::string &fi
   if (marks.ids.empty())
     return Problem{words("No mark is named here. Name some, or leave the block out."), file, block.firstLine,
                    "draw"};
+  step.drawsAllResults = marks.ids == std::vector{std::string(allMarks)};
+  if (step.drawsAllResults)
+    return {};
   step.drawn = std::move(marks.ids);
   step.drawnLines = std::move(marks.lines);
+  return {};
+}
+
+std::optional<Problem> readHidden(const TextBlock &block, const std::string &file, LessonStep &step) {
+  StepLines entries = namesIn(block);
+  if (entries.ids.empty())
+    return Problem{words("Nothing is named here. Name entries of the scene, or leave the block out."), file,
+                   block.firstLine, "hide"};
+  step.hidden = std::move(entries.ids);
+  step.hiddenLines = std::move(entries.lines);
   return {};
 }
 

@@ -35,9 +35,13 @@ struct TextBlock {
 /// Reads a ```lines block: ids between commas or spaces.
 [[nodiscard]] Result<StepLines> readLines(const TextBlock &block, const std::string &file);
 
-/// Reads a ```draw block: likewise, into what the step draws.
+/// Reads a ```draw block: likewise, or `all`, into what the step draws.
 [[nodiscard]] std::optional<Problem> readMarkIds(const TextBlock &block, const std::string &file,
                                                  LessonStep &step);
+
+/// Reads a ```hide block: names of entries likewise, into what the step hides.
+[[nodiscard]] std::optional<Problem> readHidden(const TextBlock &block, const std::string &file,
+                                                LessonStep &step);
 
 /// Reads a ```blank block: none, gaps, last or all.
 [[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);

@@ -9,6 +9,8 @@ namespace halfspace {
 
 /// Stands in a block of lines that shows none, in the place of their ids.
 inline constexpr std::string_view noLines = "none";
+/// Stands in a block of drawn marks that draws as Explore does, likewise.
+inline constexpr std::string_view allMarks = "all";
 
 /// A text's lines with their numbers, without their ends.
 class LineScanner {

@@ -2,11 +2,11 @@
 
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
+#include "lessons/lesson/entry_names.h"
 #include "lessons/lesson/lesson_markup.h"
 #include "lessons/lesson/lesson_words.h"
-#include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
-#include "lessons/scene/formula_names.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -15,78 +15,6 @@ namespace halfspace {
 namespace {
 
 using Names = std::vector<std::string>;
-
-/// An entry of the scene with the names that it can come to. Those of marks are full ids.
-struct EntryNames {
-  std::string name;
-  std::vector<ValueName> values{};
-  Names lines{};
-  Names marks{};
-};
-
-/// The cases of a construction as a value. What looks at the objects that others make may miss them.
-ValueName caseOf(const Construction &construction, const Entry &entry) {
-  ValueName cases = named::word("case", construction.names.cases);
-  const Names objects = referencesIn(entry);
-  if (std::any_of(objects.begin(), objects.end(), [](const std::string &id) { return id != ownerOf(id); }))
-    cases.words.emplace_back("missing-object");
-  return cases;
-}
-
-/// The values of an object that follows others.
-void addCoordinates(const Kind &kind, std::vector<ValueName> &values) {
-  for (std::size_t i = 0; i < kind.coordinates.size(); ++i)
-    if (const std::string name = valueNameOf(kind, i); !name.empty())
-      values.push_back(numbersIn(kind.coordinates[i].role) == 1 ? named::number(name) : named::vector(name));
-}
-
-EntryNames namesOf(const Entry &entry) {
-  EntryNames names{entry.name};
-  if (const Kind *kind = kindOf(entry)) {
-    if (isBound(entry))
-      names.values.push_back(named::vector("at"));
-    else if (std::holds_alternative<DerivedObject>(entry.content))
-      addCoordinates(*kind, names.values);
-    names.marks.push_back(entry.name);
-    for (const CoordinateSpec &spec : kind->coordinates)
-      if (!spec.name.empty())
-        names.marks.push_back(coordinateId(entry.name, spec));
-    return names;
-  }
-  const auto &use = std::get<ConstructionUse>(entry.content);
-  const Construction &construction = *findConstruction(use.id);
-  names.values = construction.names.values;
-  names.values.push_back(caseOf(construction, entry));
-  names.lines = construction.names.lines;
-  for (const std::string &mark : construction.names.marks)
-    names.marks.push_back(entry.name + "." + mark);
-  return names;
-}
-
-/// The value at a path, `perp.uu`, `foot.z`; nothing where there is none.
-std::optional<ValueName> findIn(const std::vector<ValueName> &values, std::string_view path) {
-  const auto dot = path.find('.');
-  const auto found = std::find_if(values.begin(), values.end(),
-                                  [&](const ValueName &each) { return each.name == path.substr(0, dot); });
-  if (found == values.end())
-    return {};
-  if (dot == std::string_view::npos)
-    return *found;
-  const std::string_view rest = path.substr(dot + 1);
-  if (found->shape == ValueShape::Group)
-    return findIn(found->members, rest);
-  const auto index = componentIndex(rest);
-  if (found->shape != ValueShape::List || !index || *index >= found->length)
-    return {};
-  return named::number(std::string(path));
-}
-
-void addPaths(const std::vector<ValueName> &values, const std::string &before, Names &paths) {
-  for (const ValueName &value : values) {
-    paths.push_back(before + value.name);
-    addPaths(value.members, before + value.name + ".", paths);
-  }
-}
 
 std::string quotedList(const Names &names) {
   std::string list;
@@ -144,6 +72,8 @@ public:
         std::visit([this](const auto &each) { check(each); }, block);
       for (std::size_t i = 0; i < step.drawn.size(); ++i)
         complain(whyNoMark(step.drawn[i]), step.drawnLines[i], "draw");
+      for (std::size_t i = 0; i < step.hidden.size(); ++i)
+        complain(whyNotHidden(step.hidden[i]), step.hiddenLines[i], "hide");
     }
     for (const LessonWords &piece : wordsOf(m_lesson))
       for (const MarkdownFormula &formula : piece.text.markdown().formulas)
@@ -267,6 +197,18 @@ private:
     return whyNotOne(words("There is no mark “{name}”.", {{"name", name}}), name, bearers, known);
   }
 
+  /// Entries are hidden as a whole.
+  [[nodiscard]] std::string whyNotHidden(const std::string &name) const {
+    if (const Entry *entry = m_lesson.scene.entries.find(name))
+      return isDrawn(*entry) ? std::string()
+                             : words("“{name}” is a number: it is in no picture.", {{"name", name}});
+    Names known;
+    for (const EntryNames &entry : m_entries)
+      known.push_back(entry.name);
+    return withGuess(words("There is no entry “{name}” in the scene.", {{"name", shortened(name)}}), name,
+                     known);
+  }
+
   /// Why a name does not mean one thing alone; empty where it does.
   [[nodiscard]] static std::string whyNotOne(const std::string &sentence, const std::string &name,
                                              const Names &bearers, const Names &known) {
@@ -289,7 +231,7 @@ private:
   [[nodiscard]] Meant valueOf(const std::string &name) const {
     const auto [owner, path] = qualified(name);
     if (const EntryNames *entry = findEntry(owner))
-      if (auto value = findIn(entry->values, path))
+      if (auto value = findValueName(entry->values, path))
         return {std::move(value)};
     Names bearers;
     Names known;
@@ -297,7 +239,7 @@ private:
     for (const EntryNames &entry : m_entries) {
       addPaths(entry.values, "", known);
       addPaths(entry.values, entry.name + ".", known);
-      if (auto value = findIn(entry.values, name)) {
+      if (auto value = findValueName(entry.values, name)) {
         meant.value = std::move(value);
         bearers.push_back(entry.name);
       }

@@ -155,6 +155,14 @@ void keepResults(const std::unordered_set<std::string> &entries, Figure &figure)
   });
 }
 
+/// Takes away what a step hides: the marks of entries, with what accompanies them.
+void hide(const Names &entries, Figure &figure) {
+  if (entries.empty())
+    return;
+  const std::set<std::string, std::less<>> hidden(entries.begin(), entries.end());
+  figure.marks.eraseIf([&](const Mark &mark) { return hidden.contains(entryOfMark(baseOf(mark).id)); });
+}
+
 /// Where a ray's thin line ends would tell what it meets.
 void letRaysRunOn(Figure &figure) {
   for (std::size_t place = 0; place < figure.marks.size(); ++place)
@@ -202,6 +210,7 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
     named.merge(marksDrawn(step.drawn, figure));
     keepNamed(named, figure);
   }
+  hide(step.hidden, figure);
   shown.figure = std::move(figure);
   return shown;
 }

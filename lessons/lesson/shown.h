@@ -26,7 +26,7 @@ enum class Question { Open, Answered };
 
 /// The step's lines and, of the figure, which is that of the evaluation, the given marks, those that these
 /// lines and the step name, and what accompanies them. Where a step names no lines, all marks and the lines
-/// of the last `mostWorkings` constructions.
+/// of the last `mostWorkings` constructions. What the step hides is not there in any case.
 [[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure,
                             Question question = Question::Answered);
 [[nodiscard]] inline Shown shownIn(const LessonStep &step, const Evaluation &evaluation,

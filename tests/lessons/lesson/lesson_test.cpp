@@ -272,6 +272,23 @@ TEST(Lesson, ADrawBlock_NamesMarks) {
   EXPECT_EQ(problemOf(frontMatter + "## One\n```draw\n\n```\n").field, "draw");
 }
 
+TEST(Lesson, ADrawBlockOfAll_DrawsAllMarks) {
+  const auto lesson = parseLesson(frontMatter + "## One\n```draw\nall\n```\n## Two\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_TRUE(lesson->steps[0].drawsAllResults);
+  EXPECT_TRUE(lesson->steps[0].drawn.empty());
+  EXPECT_FALSE(lesson->steps[1].drawsAllResults);
+}
+
+TEST(Lesson, AHideBlock_NamesEntries) {
+  const auto lesson = parseLesson(frontMatter + "## One\n```hide\nE, d\nQ\n```\n## Two\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps[0].hidden, (std::vector<std::string>{"E", "d", "Q"}));
+  EXPECT_EQ(lesson->steps[0].hiddenLines, (std::vector{14, 14, 15}));
+  EXPECT_TRUE(lesson->steps[1].hidden.empty());
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```hide\n\n```\n").field, "hide");
+}
+
 TEST(Lesson, AFormulasBlock_IsKept_AndStandsNotOnThePage) {
   const auto lesson = parseLesson(
       frontMatter + "## One\nWords.\n```formulas\nThe plane:\n\n$$x = 1$$\n```\n## Two\n", "a.md");
@@ -471,6 +488,24 @@ TEST(ShownIn, MarksThatAStepDraws_AreThereBesidesThoseOfItsLines) {
   step.drawn = {"again.F"};
   EXPECT_TRUE(has("again.F"));
   EXPECT_FALSE(has("distance.F"));
+}
+
+TEST(ShownIn, EntriesThatAStepHides_HaveNoMarks_WhateverItDraws) {
+  const Evaluation all = evaluate(test::distanceScene());
+  LessonStep step{"", {StepLines{{"distance.*"}}}, {"F"}};
+  step.hidden = {"E"};
+  for (const Question question : {Question::Answered, Question::Open}) {
+    const Figure figure = shownIn(step, all, question).figure;
+    EXPECT_EQ(findMark(figure, "E"), nullptr);
+    EXPECT_EQ(findMark(figure, "E.n"), nullptr);
+    EXPECT_NE(findMark(figure, "Q"), nullptr);
+  }
+  EXPECT_NE(findMark(shownIn(step, all).figure, "distance.F"), nullptr);
+  step.hidden = {"distance"};
+  const Shown shown = shownIn(step, all);
+  EXPECT_EQ(findMark(shown.figure, "distance.F"), nullptr);
+  EXPECT_NE(findMark(shown.figure, "E"), nullptr);
+  EXPECT_FALSE(shown.working.lines.empty()) << "its lines stand on the page all the same";
 }
 
 TEST(ShownIn, WhileTheQuestionIsOpen_OnlyWhatIsGivenIsDrawn) {

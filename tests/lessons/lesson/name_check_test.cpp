@@ -34,6 +34,7 @@ using Texts = std::vector<std::string>;
 
 std::string lines(const std::string &ids) { return "## One\n```lines\n" + ids + "\n```\n"; }
 std::string draw(const std::string &ids) { return "## One\n```draw\n" + ids + "\n```\n"; }
+std::string hide(const std::string &names) { return "## One\n```hide\n" + names + "\n```\n"; }
 std::string task(const std::string &when) { return "## One\n```task\ndo: Go.\nwhen: " + when + "\n```\n"; }
 std::string question(const std::string &answer, const std::string &words) {
   std::string text = "## One\n```predict\nask: Where?\nanswer: " + answer + "\nchoices:\n";
@@ -52,6 +53,18 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
       Texts{});
   EXPECT_EQ(problemsIn("## One\nIt is {d.f} at {Q} and {E.n}, {point.x}, not `{code}` or ${f}$ or \\{no}.\n"),
             Texts{});
+}
+
+TEST(NameCheck, EntriesThatAreHidden_AreThere_AndInThePicture) {
+  EXPECT_EQ(problemsIn(hide("E, d, L")), Texts{});
+  EXPECT_EQ(problemsIn(hide("E\nF")), Texts{"15: hide: There is no entry “F” in the scene."});
+  EXPECT_EQ(problemsIn(hide("E.n")).size(), 1U) << "a part of an entry is not hidden alone";
+  const auto lesson = parseLesson(
+      "---\nid: a\ntitle: A\nscene: [{name: k, number: {value: 1, from: 0, to: 2, step: 1}}]\n---\n" +
+          hide("k"),
+      "a.md");
+  ASSERT_TRUE(lesson);
+  EXPECT_EQ(problemsWithNames(*lesson).at(0).sentence, "“k” is a number: it is in no picture.");
 }
 
 TEST(NameCheck, LiveValuesInAQuestion_AreTold_BecauseNoneIsFilledIn) {
