@@ -129,8 +129,8 @@ void MainWindow::createSceneTools(CameraActions &camera) {
 void MainWindow::createExplore() {
   SceneColumn &scene = m_panels.scene();
   ExplorePanel &explore = m_panels.explore();
-  auto *field =
-      new FieldPresenter(m_model, scene.bar(), explore.edits(), explore.selection(), *menuBar(), this);
+  auto *field = new FieldPresenter(m_model, m_files, scene.bar(), explore.edits(), explore.selection(),
+                                   *menuBar(), this);
   m_explore = new ExplorePresenter(m_model, m_panels, m_step.highlights(), *field, this);
   connect(field, &FieldPresenter::openChanged, &scene.bar(), &EntryBar::setVisible);
   connect(field, &FieldPresenter::left, &scene.view(), [&scene] { scene.view().setFocus(); });
@@ -139,7 +139,7 @@ void MainWindow::createExplore() {
           [this](const QString &sentence) { m_panels.messages().say(sentence); });
   scene.bar().setVisible(isExplore(m_model));
   const auto actions = menuBar()->actions();
-  auto *menu = new SceneMenu(m_model, *field, scene.view().objectHand(), menuBar());
+  auto *menu = new SceneMenu(m_model, m_files, *field, scene.view().objectHand(), menuBar());
   menuBar()->insertMenu(actions.at(actions.size() - 2), menu);
   auto *add = new QToolButton;
   add->setObjectName("addTool");

@@ -81,10 +81,7 @@ bool ExplorePresenter::pressKey(const QKeyEvent &event) {
   if (!isExplore(m_model) || !isPlain)
     return false;
   if (event.key() == Qt::Key_Delete && !m_selection.ids().empty()) {
-    std::vector<std::string> names;
-    for (const std::string &id : m_selection.ids())
-      names.push_back(ownerOf(id));
-    m_panels.explore().edits().remove(names);
+    m_panels.explore().edits().remove(m_selection.ids());
     return true;
   }
   if (text.isEmpty() || !text.front().isLetter())

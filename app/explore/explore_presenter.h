@@ -25,8 +25,8 @@ public:
   ExplorePresenter(SessionModel &model, WindowPanels &panels, MarkHighlights &highlights,
                    FieldPresenter &field, QObject *parent);
 
-  /// A key that no part of the window has a use for: a letter begins a line, Delete takes away what is selected.
-  /// False for one that means nothing here either.
+  /// A key that no part of the window has a use for: a letter begins a line, Delete takes away what is
+  /// selected. False for one that means nothing here either.
   bool pressKey(const QKeyEvent &event);
 
 private:

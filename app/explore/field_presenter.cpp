@@ -23,14 +23,15 @@ namespace {
 
 constexpr std::size_t mostCompletions = 8;
 constexpr std::size_t mostCommands = 6;
+constexpr int longestLikelyName = 2;
 
 /// The characters that some bytes of a line are.
-EntryField::Part partOf(const std::string &line, const TypedFault &fault) {
+EntryField::Part partOf(const std::string &line, std::size_t at, std::size_t length) {
   const auto characters = [](const std::string &bytes) {
     return static_cast<int>(QString::fromStdString(bytes).size());
   };
-  const int begin = characters(line.substr(0, fault.at));
-  return {begin, characters(line.substr(0, fault.at + fault.length)) - begin};
+  const int begin = characters(line.substr(0, at));
+  return {begin, characters(line.substr(0, at + length)) - begin};
 }
 
 /// Whether a text can only be a line: no command has such a sign.
@@ -38,9 +39,10 @@ bool isLine(const QString &text) { return text.contains('=') || text.contains(':
 
 } // namespace
 
-FieldPresenter::FieldPresenter(SessionModel &model, EntryBar &bar, EntryEdits &edits,
+FieldPresenter::FieldPresenter(SessionModel &model, SessionFiles &files, EntryBar &bar, EntryEdits &edits,
                                SceneSelection &selection, const QMenuBar &menus, QObject *parent)
-    : QObject(parent), m_model(model), m_bar(bar), m_edits(edits), m_selection(selection), m_menus(menus) {
+    : QObject(parent), m_model(model), m_files(files), m_bar(bar), m_edits(edits), m_selection(selection),
+      m_menus(menus) {
   connect(&bar, &EntryBar::edited, this, &FieldPresenter::suggest);
   connect(&bar, &EntryBar::entered, this, &FieldPresenter::enter);
   connect(&bar, &EntryBar::recalled, this, &FieldPresenter::recall);
@@ -54,6 +56,10 @@ FieldPresenter::FieldPresenter(SessionModel &model, EntryBar &bar, EntryEdits &e
     if (offer < static_cast<int>(m_offers.size()))
       if (const QString line = m_offers[static_cast<std::size_t>(offer)].line; !line.isEmpty())
         putLine(line);
+  });
+  connect(&model, &SessionModel::outcomeChanged, this, [this] {
+    if (!m_edited.empty() && !m_model.session().scene.entries.find(m_edited))
+      m_edited.clear();
   });
   connect(&model, &SessionModel::lessonChanged, this, [this] {
     m_isOpen = false;
@@ -78,12 +84,14 @@ void FieldPresenter::open() {
 }
 
 void FieldPresenter::begin(const QString &key) {
+  m_edited.clear();
   open();
   m_bar.setText(key);
   suggest();
 }
 
 void FieldPresenter::propose(const QString &line) {
+  m_edited.clear();
   open();
   m_bar.setText(line);
   m_bar.say(tr("Change it as you like: Enter adds it."));
@@ -105,11 +113,14 @@ void FieldPresenter::edit(const QString &name) {
 }
 
 Scene FieldPresenter::above() const {
-  Scene scene = m_model.session().scene;
-  if (const auto place = scene.entries.placeOf(m_edited))
-    while (scene.entries.size() > *place)
-      scene.entries.erase(scene.entries.size() - 1);
-  return scene;
+  const Scene &scene = m_model.session().scene;
+  const auto place = scene.entries.placeOf(m_edited);
+  if (!place)
+    return scene;
+  Scene above;
+  for (std::size_t i = 0; i < *place; ++i)
+    above.entries.push_back(scene.entries[i]);
+  return above;
 }
 
 void FieldPresenter::putLine(const QString &line) {
@@ -137,7 +148,7 @@ void FieldPresenter::addCompletions(std::vector<Offer> &offers) {
        completionsOf(line, cursor, above(), language().decimalMark, mostCompletions)) {
     const QString whole = QString::fromStdString(completion.line);
     const EntryField::Part selected =
-        partOf(completion.line, {{}, completion.selectedAt, completion.selectedLength});
+        partOf(completion.line, completion.selectedAt, completion.selectedLength);
     completions.push_back({{whole, QString::fromStdString(completion.description)},
                            [this, whole, selected] {
                              m_bar.setText(whole, selected);
@@ -145,14 +156,16 @@ void FieldPresenter::addCompletions(std::vector<Offer> &offers) {
                            },
                            whole});
   }
-  offers.insert(offers.begin(), completions.begin(), completions.end()); // they are what is typed mostly
+  // Names are short: a longer word that menus have means these.
+  const bool isCommand = !offers.empty() && m_bar.text().trimmed().size() > longestLikelyName;
+  offers.insert(isCommand ? offers.end() : offers.begin(), completions.begin(), completions.end());
 }
 
 void FieldPresenter::addCommands(std::vector<Offer> &offers) {
   std::vector<Command> commands = commandsMatching(m_menus, m_bar.text());
   commands.resize(std::min(commands.size(), mostCommands));
   for (const Command &command : commands)
-    offers.push_back({{command.title, command.action->shortcut().toString(QKeySequence::NativeText)},
+    offers.push_back({{command.title, command.action->shortcut().toString(QKeySequence::NativeText), false},
                       [this, action = QPointer<QAction>(command.action)] {
                         leave();
                         if (action)
@@ -176,7 +189,7 @@ void FieldPresenter::enter() {
   if (const auto *entry = std::get_if<Entry>(&read))
     return accept(*entry);
   const TypedFault &fault = std::get<TypedFault>(read);
-  refuse(QString::fromStdString(fault.sentence), partOf(line, fault));
+  refuse(QString::fromStdString(fault.sentence), partOf(line, fault.at, fault.length));
 }
 
 void FieldPresenter::accept(const Entry &entry) {
@@ -184,15 +197,15 @@ void FieldPresenter::accept(const Entry &entry) {
     const auto grown =
         apply(m_model.session().scene, AddEntry{m_model.session().scene.entries.size(), entry});
     if (!grown)
-      return m_bar.say(QString::fromStdString(grown.problem().sentence));
-    goOnInExplore(m_model, *grown);
+      return m_bar.complain(QString::fromStdString(grown.problem().sentence), {});
+    remember();
+    goOnInExplore(m_model, m_files, *grown);
     return m_bar.say(tr("The lesson is as it was: this is Explore, where its scene can grow."));
   }
   const bool isDone = m_edited.empty() ? m_edits.add(entry) : m_edits.replace(m_edited, entry);
   if (!isDone)
     return; // why is told already
-  m_lines.push_back(m_bar.text());
-  m_recalled = m_lines.size();
+  remember();
   show();
   m_selection.set({entry.name});
 }
@@ -201,11 +214,12 @@ void FieldPresenter::enterAll(const QString &lines) {
   const Scene &scene = m_model.session().scene;
   const auto grown = readTypedScene(lines.toStdString(), {}, language().decimalMark, scene);
   if (!grown)
-    return m_bar.say(tr("Nothing was added. Line %1: %2")
-                         .arg(grown.problem().line)
-                         .arg(QString::fromStdString(grown.problem().sentence)));
+    return m_bar.complain(tr("Nothing was added. Line %1: %2")
+                              .arg(grown.problem().line)
+                              .arg(QString::fromStdString(grown.problem().sentence)),
+                          {});
   if (!isExplore(m_model))
-    return goOnInExplore(m_model, *grown);
+    return goOnInExplore(m_model, m_files, *grown);
   std::vector<Entry> added;
   for (std::size_t place = scene.entries.size(); place < grown->entries.size(); ++place)
     added.push_back(grown->entries[place]);
@@ -237,12 +251,20 @@ void FieldPresenter::recall(int lines) {
   const int wanted = static_cast<int>(m_recalled) + lines;
   if (count == 0 || wanted < 0 || wanted > count)
     return;
+  m_edited.clear();
   m_recalled = static_cast<std::size_t>(wanted);
   m_bar.setText(wanted == count ? QString() : m_lines[m_recalled]);
   offer({}, false);
 }
 
+void FieldPresenter::remember() {
+  if (!m_bar.text().trimmed().isEmpty())
+    m_lines.push_back(m_bar.text());
+  m_recalled = m_lines.size();
+}
+
 void FieldPresenter::leave() {
+  remember(); // the up key brings back what Escape has put away
   m_isOpen = false;
   show();
   emit left();

@@ -12,6 +12,7 @@ namespace halfspace {
 
 class EntryEdits;
 class SceneSelection;
+class SessionFiles;
 
 /// Reads what is entered as an entry of the scene, which it adds or changes; says what is wrong with it,
 /// where, and what was perhaps meant. While somebody types it suggests how the line could go on, and what of
@@ -20,8 +21,8 @@ class FieldPresenter : public QObject {
   Q_OBJECT
 public:
   /// All must outlive it.
-  FieldPresenter(SessionModel &model, EntryBar &bar, EntryEdits &edits, SceneSelection &selection,
-                 const QMenuBar &menus, QObject *parent = nullptr);
+  FieldPresenter(SessionModel &model, SessionFiles &files, EntryBar &bar, EntryEdits &edits,
+                 SceneSelection &selection, const QMenuBar &menus, QObject *parent = nullptr);
 
   /// Lets the user type.
   void open();
@@ -56,12 +57,15 @@ private:
   void refuse(const QString &sentence, EntryField::Part part);
   [[nodiscard]] std::vector<Offer> mends();
   void recall(int lines);
+  /// Keeps what is typed, to be recalled.
+  void remember();
   void leave();
   /// What the line is to stand below: all of the scene, or what is above the entry that is edited.
   [[nodiscard]] Scene above() const;
   void putLine(const QString &line);
 
   SessionModel &m_model;
+  SessionFiles &m_files;
   EntryBar &m_bar;
   EntryEdits &m_edits;
   SceneSelection &m_selection;

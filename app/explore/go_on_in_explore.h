@@ -5,8 +5,10 @@
 
 namespace halfspace {
 
+class SessionFiles;
+
 /// Opens Explore with a scene, seen as the present one is seen. The lesson stays as it is, and what was in
-/// Explore before comes back with Undo.
-void goOnInExplore(SessionModel &model, const Scene &scene);
+/// Explore before comes back with Undo; its file, if it has one, is not written over.
+void goOnInExplore(SessionModel &model, SessionFiles &files, const Scene &scene);
 
 } // namespace halfspace

@@ -7,13 +7,15 @@ namespace halfspace {
 
 class FieldPresenter;
 class ObjectHand;
+class SessionFiles;
 class SessionModel;
 
 class SceneMenu : public QMenu {
   Q_OBJECT
 public:
   /// All must outlive it.
-  SceneMenu(SessionModel &model, FieldPresenter &field, ObjectHand &hand, QWidget *parent);
+  SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &field, ObjectHand &hand,
+            QWidget *parent);
 
   /// The tools by which objects are added.
   [[nodiscard]] QMenu &tools() { return *m_add; }

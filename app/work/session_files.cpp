@@ -58,6 +58,7 @@ void SessionFiles::startWith(const Session &session, std::shared_ptr<const Known
 }
 
 void SessionFiles::startNew() {
+  m_model.openLesson(exploreId); // what waits there is asked about; a lesson stays as it is
   if (mayLeave())
     startWith(startOf(exploreLesson()));
 }
@@ -129,6 +130,11 @@ bool SessionFiles::saveTo(const QString &file) {
   emit changed();
   m_messages.say(savedWords(m_model.session().scene));
   return true;
+}
+
+void SessionFiles::forgetFile() {
+  m_file = {};
+  emit changed();
 }
 
 QString SessionFiles::name() const {

@@ -40,6 +40,9 @@ public:
   /// Writes the session; on failure says why and returns false.
   bool saveTo(const QString &file);
 
+  /// The session is another work than the one that the file holds: Save asks.
+  void forgetFile();
+
   /// Where Save writes; null: it asks.
   [[nodiscard]] const std::shared_ptr<const KnownFile> &file() const { return m_file; }
   /// What the session is called: its file, or its lesson where it has none.

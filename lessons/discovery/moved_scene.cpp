@@ -48,7 +48,8 @@ Scene SceneMover::moved(Scene scene, bool isNearby) {
 
 Object SceneMover::moved(Object object, bool isNearby) {
   if (auto number = objectAs<NumberObject>(object)) {
-    const Rational share(static_cast<int>(m_engine() % (stepsBetweenBounds + 1)), stepsBetweenBounds);
+    const Rational share(static_cast<int>(m_engine() % (stepsBetweenBounds - 1)) + 1,
+                         stepsBetweenBounds); // not at a bound, where something may be special
     number->value = number->from + (number->to - number->from) * share;
     return *number;
   }
@@ -62,7 +63,10 @@ Object SceneMover::moved(Object object, bool isNearby) {
       object[i].x = number(object[i].x, isNearby);
     else
       object[i] = vector(object[i], isNearby);
-  object.kind().settle(object);
+  // A bound point may go on beyond its host: what holds along all of a line holds on a part of it, and a
+  // corner to which it would be brought back is a special place.
+  if (!object.kind().binding)
+    object.kind().settle(object);
   return object;
 }
 

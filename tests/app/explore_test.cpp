@@ -1,4 +1,5 @@
 // Explore in a real window: lines that are typed, the list of the scene, one selection for all, what fits.
+#include "lessons/typed/read_line.h"
 #include "tests/app/explore_fixture.h"
 
 #include <QClipboard>
@@ -210,6 +211,52 @@ private slots:
     QTest::mouseClick(fixture.window.findChild<QPushButton *>("discover"), Qt::LeftButton);
     const QString told = fixture.window.findChild<QLabel *>("discoveries")->text();
     QVERIFY2(told.contains("on one line") && told.contains("wherever"), qPrintable(told));
+  }
+
+  void lineBeingEdited_isNoMoreWhenAnotherIsBegun() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 3)");
+    emit fixture.list().lineWanted("A");
+    QCOMPARE(fixture.field().text(), QString("A = (1, 2, 3)"));
+    for (QAction *action : fixture.window.findChild<QMenu *>("add")->actions())
+      if (action->text().contains("Number"))
+        action->trigger();
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.scene().size(), 2);
+    QCOMPARE(fixture.scene().first(), QString("A = (1, 2, 3)"));
+  }
+
+  void entryOfAnotherKind_hasOtherFits() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("Q = (1, 2, 3)");
+    fixture.enter("P = (4, 5, 6)");
+    fixture.clickRow("Q");
+    fixture.clickRow("P", Qt::ControlModifier);
+    QVERIFY(fixture.fit("midpoint("));
+    fixture.window.findChild<ExplorePanel *>()->edits().replace(
+        "Q", std::get<Entry>(readLine("Q: x = 1", Scene())));
+    QVERIFY(!fixture.fit("midpoint("));
+    QVERIFY(fixture.fit("signed-distance("));
+  }
+
+  void oneLongWord_findsTheCommand_beforeNamesAreMadeOfIt() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.type("dark");
+    QTest::keyClick(&fixture.field(), Qt::Key_Return);
+    QCOMPARE(fixture.window.look().theme().name, std::string("dark"));
+  }
+
+  void numberWithMoreStepsThanASliderHasPlaces_isMovedAllTheSame() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("k = 1, 0 <= k <= 1000000, step 1/1000000000");
+    auto *slider = fixture.window.findChild<QSlider *>("numberSlider");
+    QVERIFY(slider->maximum() > 0 && slider->maximum() <= 1000);
+    QTest::keyClick(slider, Qt::Key_End);
+    QVERIFY(fixture.value("k").x == 1000000);
   }
 
   void linesPastedTogether_areOneStep_andAWrongOneAddsNothing() {

@@ -37,9 +37,14 @@ void DiscoveryBox::forget() {
 
 void DiscoveryBox::discover() {
   QStringList sentences;
-  for (const Discovery &discovery : discoveriesOf(m_model.evaluation(), m_selection.ids()))
+  if (m_selection.ids().size() > mostLookedAt)
+    sentences << tr("Only the first %1 are looked at.").arg(mostLookedAt);
+  const std::vector<Discovery> discoveries = discoveriesOf(m_model.evaluation(), m_selection.ids());
+  for (const Discovery &discovery : discoveries)
     sentences << "• " + QString::fromStdString(wordsFor(discovery));
-  m_answer->setText(sentences.isEmpty() ? tr("Nothing special holds of them.") : sentences.join('\n'));
+  if (discoveries.empty())
+    sentences << tr("Nothing special holds of them.");
+  m_answer->setText(sentences.join('\n'));
   m_answer->show();
 }
 

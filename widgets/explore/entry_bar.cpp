@@ -59,7 +59,8 @@ SuggestionList &EntryBar::suggestions() {
 
 void EntryBar::setSuggestions(const std::vector<Suggestion> &all, bool isFirstChosen) {
   suggestions().setSuggestions(all);
-  m_field->setCanComplete(!all.empty());
+  m_field->setCanComplete(
+      std::any_of(all.begin(), all.end(), [](const Suggestion &each) { return each.isLine; }));
   suggestions().setCurrentRow(isFirstChosen && !all.empty() ? 0 : -1);
 }
 

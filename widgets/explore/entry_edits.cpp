@@ -48,7 +48,11 @@ void EntryEdits::rename(const std::string &name, const std::string &newName) {
   edit({RenameEntry{name, newName}}, tr("Call %1 %2").arg(text(name), text(newName)));
 }
 
-void EntryEdits::remove(const std::vector<std::string> &names) {
+void EntryEdits::remove(const std::vector<std::string> &ids) {
+  std::vector<std::string> names; // each once, as an entry makes several objects
+  for (const std::string &id : ids)
+    if (std::find(names.begin(), names.end(), ownerOf(id)) == names.end())
+      names.push_back(ownerOf(id));
   std::vector<Edit> edits;
   std::vector<std::string> gone;   // also with one above it
   std::vector<std::string> others; // that nobody chose

@@ -19,8 +19,8 @@ public:
   /// Puts an entry in the place of the one of this name, which need not be its own.
   bool replace(const std::string &name, const Entry &entry);
   void rename(const std::string &name, const std::string &newName);
-  /// Takes entries away, and with them what looks at them.
-  void remove(const std::vector<std::string> &names);
+  /// Takes away the entries of these objects, and with them what looks at them.
+  void remove(const std::vector<std::string> &ids);
   /// By so many places, down or up.
   void move(const std::string &name, int places);
   void setHidden(const std::string &name, bool hidden);

@@ -79,6 +79,11 @@ double EntryField::placeOf(int character) const {
   return cursorRect().center().x() + fromCursor;
 }
 
+void EntryField::focusOutEvent(QFocusEvent *event) {
+  m_canComplete = false; // suggestions go with the focus
+  QLineEdit::focusOutEvent(event);
+}
+
 void EntryField::paintEvent(QPaintEvent *event) {
   QLineEdit::paintEvent(event);
   if (!m_fault)

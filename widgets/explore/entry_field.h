@@ -29,12 +29,13 @@ signals:
   void stepped(int rows); ///< to the suggestion above, −1, or below, 1
   void completing();      ///< Tab: the suggestion is to be taken into the text
   void entering();
-  void dismissed(); ///< Escape
+  void dismissed();                       ///< Escape
   void linesPasted(const QString &lines); ///< several at once: they are not in the field
 
 protected:
   bool event(QEvent *event) override;
   void paintEvent(QPaintEvent *event) override;
+  void focusOutEvent(QFocusEvent *event) override;
 
 private:
   [[nodiscard]] bool takeKey(int key);

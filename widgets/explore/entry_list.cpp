@@ -76,8 +76,10 @@ void EntryList::followSelection() {
     if (const int row = m_rows->rowOf(id); row >= 0)
       rows.select(m_rows->index(row, 0), m_rows->index(row, EntryRows::columnCountOf - 1));
   selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-  if (!rows.isEmpty())
+  if (!rows.isEmpty()) {
+    selectionModel()->setCurrentIndex(rows.last().topLeft(), QItemSelectionModel::NoUpdate);
     scrollTo(rows.last().topLeft());
+  }
   m_isFollowing = false;
 }
 
@@ -117,10 +119,12 @@ void EntryList::keyPressEvent(QKeyEvent *event) {
   const std::string name = currentEntry();
   const bool isAlt = event->modifiers() & Qt::AltModifier;
   if (event->key() == Qt::Key_Delete)
-    return m_edits.remove(selectedEntries());
+    return m_edits.remove(m_selection.ids());
   if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state() != EditingState &&
       currentIndex().isValid())
     return askForLine(currentIndex());
+  if (event->key() == Qt::Key_F2 && currentIndex().isValid())
+    return edit(currentIndex().siblingAtColumn(EntryRows::Name));
   if (isAlt && !name.empty() && (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down))
     return m_edits.move(name, event->key() == Qt::Key_Up ? -1 : 1);
   QTreeView::keyPressEvent(event);
@@ -163,8 +167,9 @@ void EntryList::addToggles(QMenu &menu, const Entry &entry) {
     connect(toggle, &QAction::triggered, &m_edits, slot);
   };
   add(tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
-  add(tr("La&bel"), !isLabelHidden(m_model.session().scene.labels, name),
-      [this, name](bool on) { m_edits.setLabelHidden(name, !on); });
+  if (kindOf(entry)) // the marks of a construction have names of their own
+    add(tr("La&bel"), !isLabelHidden(m_model.session().scene.labels, name),
+        [this, name](bool on) { m_edits.setLabelHidden(name, !on); });
   if (std::holds_alternative<Object>(entry.content))
     add(tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
 }

@@ -65,10 +65,10 @@ FitsBox::FitsBox(SessionModel &model, SceneSelection &selection, EntryEdits &edi
 
 void FitsBox::showFits() {
   const Scene &scene = m_model.session().scene;
-  if (m_selection.ids() == m_shownFor && scene.entries.size() == m_entries && m_buttons)
+  if (m_selection.ids() == m_shownFor && m_model.evaluation().plan == m_plan && m_buttons)
     return; // a drag changes numbers, not what fits
   m_shownFor = m_selection.ids();
-  m_entries = scene.entries.size();
+  m_plan = m_model.evaluation().plan;
   m_fits = isExplore(m_model) && !m_shownFor.empty() ? fitsFor(scene, m_shownFor) : std::vector<Fit>();
   delete m_buttons;
   m_buttons = new QWidget;
@@ -85,7 +85,15 @@ void FitsBox::showFits() {
                          ? tr("Select objects here or in the picture (Ctrl for several): what can be made of "
                               "them is offered here.")
                          : tr("Of %1 can be made:").arg(names.join(", ")));
-  emit previewed({});
+  preview({});
+}
+
+void FitsBox::preview(const Figure &ghost) {
+  const bool isNothing = ghost.marks.size() == 0;
+  if (isNothing && !m_isPreviewing)
+    return; // what somebody else shows stays
+  m_isPreviewing = !isNothing;
+  emit previewed(ghost);
 }
 
 void FitsBox::addButton(const Fit &fit) {
@@ -123,16 +131,16 @@ Figure FitsBox::ghostOf(const Entry &entry) const {
 bool FitsBox::eventFilter(QObject *watched, QEvent *event) {
   if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
     const Fit &fit = m_fits.at(static_cast<std::size_t>(watched->property(placeProperty).toInt()));
-    emit previewed(fit.wanted ? Figure() : ghostOf(fit.entry));
+    preview(fit.wanted ? Figure() : ghostOf(fit.entry));
   } else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {
-    emit previewed({});
+    preview({});
   }
   return QWidget::eventFilter(watched, event);
 }
 
 void FitsBox::hideEvent(QHideEvent *event) {
   QWidget::hideEvent(event);
-  emit previewed({});
+  preview({});
 }
 
 } // namespace halfspace

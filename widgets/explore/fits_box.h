@@ -35,16 +35,19 @@ private:
   void showFits();
   void addButton(const Fit &fit);
   void take(const Fit &fit);
+  /// Of nothing: where something is shown, it goes.
+  void preview(const Figure &ghost);
   [[nodiscard]] Figure ghostOf(const Entry &entry) const;
 
   SessionModel &m_model;
   SceneSelection &m_selection;
   EntryEdits &m_edits;
   QLabel *m_heading;
-  QWidget *m_buttons = nullptr;        ///< made anew for each selection
-  std::vector<Fit> m_fits;             ///< in the order of the buttons
-  std::vector<std::string> m_shownFor; ///< the selection
-  std::size_t m_entries = 0;           ///< of the scene that they were found in
+  QWidget *m_buttons = nullptr;            ///< made anew for each selection
+  std::vector<Fit> m_fits;                 ///< in the order of the buttons
+  std::vector<std::string> m_shownFor;     ///< the selection
+  std::shared_ptr<const ScenePlan> m_plan; ///< of the scene that they were found in
+  bool m_isPreviewing = false;
 };
 
 } // namespace halfspace

@@ -21,14 +21,16 @@ Rational placeWidth(const NumberObject &number) {
   const Rational range = number.to - number.from;
   if (number.step <= 0)
     return range / mostPlaces;
-  const Rational places = range / number.step;
-  const auto stepsInPlace = static_cast<int>(toDouble(places) / mostPlaces) + 1;
-  return number.step * stepsInPlace;
+  const Rational stepsInPlace = roundUpToMultiple(Rational(range / (number.step * mostPlaces)), 1);
+  return number.step * std::max(stepsInPlace, Rational(1));
 }
 
+/// The last one is at the upper bound, and may be nearer to the one before.
 int placesOf(const NumberObject &number) {
   const Rational width = placeWidth(number);
-  return width > 0 ? static_cast<int>(toDouble(Rational((number.to - number.from) / width))) : 0;
+  return width > 0
+             ? static_cast<int>(toDouble(roundUpToMultiple(Rational((number.to - number.from) / width), 1)))
+             : 0;
 }
 
 } // namespace

@@ -13,7 +13,8 @@ namespace halfspace {
 /// What somebody could mean by what is typed so far.
 struct Suggestion {
   QString text;
-  QString detail{}; ///< what it is, said beside it: a kind, a shortcut; may be empty
+  QString detail{};   ///< what it is, said beside it: a kind, a shortcut; may be empty
+  bool isLine = true; ///< Tab puts it into the field
 };
 
 /// A sentence and a list that lie over the window below the field, as long as there is one of them. The field

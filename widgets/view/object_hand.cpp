@@ -243,6 +243,8 @@ void ObjectHand::go(ObjectTool tool) {
 
 void ObjectHand::make(const ObjectTool &tool) {
   const std::vector<Entry> entries = entriesOf(tool, m_model.session().scene);
+  if (entries.empty())
+    return cancel(); // a point that is there already
   std::vector<Edit> edits;
   edits.reserve(entries.size());
   for (const Entry &entry : entries)

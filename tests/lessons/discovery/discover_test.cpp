@@ -66,6 +66,16 @@ TEST(Discoveries, OfTheMedians_MeetInOnePoint) {
   EXPECT_EQ(told(medians, {"S", "b"}), Ids{"always: S lies on the line b."});
 }
 
+TEST(Discoveries, OfPointsOnARayAndInATriangle_HoldBeyondTheirEnds) {
+  const std::string onRay =
+      "r = (1, 2, 3) + t(2, -1, 4)\nP = point-on-ray(r, 2)\nM = (r.Q + P)/2\nA = r.Q + (0, 0, 0)\n";
+  EXPECT_TRUE(has(told(onRay, {"A", "M", "P"}), "always: M is the midpoint of A and P."));
+  const std::string inside = std::string(corners) +
+                             "T = triangle(A, B, C)\nP = point-on-triangle(T, 1/4, 1/4)\n"
+                             "N = (A + P)/2\n";
+  EXPECT_TRUE(has(told(inside, {"A", "N", "P"}), "always: N is the midpoint of A and P."));
+}
+
 TEST(Discoveries, OfTheFootOfAPoint_HoldWhereverThatIs) {
   const std::string scene = "Q = (11, 15, 8)\nE: x + 2y + 2z = 27\nd = distance(Q, E)\n";
   EXPECT_EQ(told(scene, {"d.F", "E"}), Ids{"always: F lies in the plane E."});

@@ -168,6 +168,15 @@ private slots:
     QVERIFY(making.added() == Lines({"C = (0, 0, 2)"}));
   }
 
+  void pointTool_onAPointThatIsThere_makesNothing_andIsPutAway() {
+    Making making(ToolObject::Point);
+    QVERIFY(making.ready);
+    const Scene before = making.model.session().scene;
+    making.click(toDouble(making.value("A")));
+    QVERIFY(making.model.session().scene == before);
+    QVERIFY(!making.view.objectHand().tool());
+  }
+
   void shift_liftsAPointFromTheGround() {
     Making making(ToolObject::Point);
     QVERIFY(making.ready);
