@@ -62,7 +62,8 @@ void SessionModel::setLibrary(LessonLibrary library) {
   m_library = std::move(library);
   const Lesson *now = m_library.find(before.id);
   Session renewed = session();
-  if (now && !isExplore(*this) && (renewed.scene == before.scene || !haveSameEntries(now->scene, renewed.scene)))
+  if (now && !isExplore(*this) &&
+      (renewed.scene == before.scene || !haveSameEntries(now->scene, renewed.scene)))
     renewed.scene = now->scene;
   if (!(renewed.scene == session().scene))
     m_history.beginAnew(true);

@@ -11,8 +11,8 @@ inline constexpr const char *exploreId = "explore";
 /// It begins empty, has one step, and is in no folder: every library knows it.
 [[nodiscard]] const Lesson &exploreLesson();
 
-/// What a window shows of it in the place of its step: what is given, the lines of these constructions with all that
-/// they draw, and of the others what comes out.
+/// What a window shows of it in the place of its step: what is given, the lines of these constructions with
+/// all that they draw, and of the others what comes out.
 [[nodiscard]] LessonStep stepShowing(const std::vector<std::string> &constructions);
 
 } // namespace halfspace

@@ -43,7 +43,8 @@ struct DerivedObject {
 /// What the host of a bound object is called in files and edits.
 inline constexpr const char *hostRole = "on";
 
-// What the colour of an object, and what is done with an entry's picture, are called in files and typed lines.
+// What the colour of an object, and what is done with an entry's picture, are called in files and typed
+// lines.
 inline constexpr const char *colorField = "color";
 inline constexpr const char *hiddenField = "hidden";
 inline constexpr const char *lockedField = "locked";

@@ -6,17 +6,19 @@
 namespace halfspace {
 
 struct EntrySummary {
-  std::string definition; ///< as it is typed, behind the name: `midpoint(A, B)`; of a mesh the noun of its kind
+  std::string
+      definition; ///< as it is typed, behind the name: `midpoint(A, B)`; of a mesh the noun of its kind
   /// What that comes to, where the definition does not say it: a plane's equation, the coordinates of what
   /// follows others, the first number that a construction tells. Empty for nothing, and where it is missing.
   std::string value;
 };
 
 /// Of an entry of the scene that was evaluated.
-[[nodiscard]] EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char decimalMark = '.');
+[[nodiscard]] EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation,
+                                     char decimalMark = '.');
 
-/// What an object that an entry makes comes to: the coordinates, or the equation of a plane. Empty where it is
-/// not there in the present case.
+/// What an object that an entry makes comes to: the coordinates, or the equation of a plane. Empty where it
+/// is not there in the present case.
 [[nodiscard]] std::string valueOf(const OfferedObject &object);
 
 } // namespace halfspace

@@ -2,8 +2,8 @@
 
 #include "geometry/bisect_planes.h"
 #include "geometry/intersect_line_plane.h"
-#include "geometry/intersect_planes.h"
 #include "geometry/intersect_plane_sphere.h"
+#include "geometry/intersect_planes.h"
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/intersect_ray_sphere.h"

@@ -131,7 +131,8 @@ TEST(ReplaceEntry, ByAnotherNameAndSort_IsFollowedByWhatLooksAtIt_AndByItsLabels
   const Entry derived{"P", DerivedObject{findKind("point"), {twice}}};
   const Scene after = edited(labelled, {ReplaceEntry{"Q", derived}});
   EXPECT_EQ(namesOf(after), (std::vector<std::string>{"A", "E", "P", "distance", "again"}));
-  EXPECT_EQ(std::get<ConstructionUse>(after.entries.find("distance")->content).roles.at("Q"), RoleObjects("P"));
+  EXPECT_EQ(std::get<ConstructionUse>(after.entries.find("distance")->content).roles.at("Q"),
+            RoleObjects("P"));
   EXPECT_EQ(after.labels, (LabelsByHand{{"P", moved}}));
   EXPECT_EQ(evaluate(after).find("P")->offers.front().given->object, Object(PointObject{{2, 4, 6}}));
 }
