@@ -45,13 +45,13 @@ struct SphereThrough {
 /// What both constructions have; each has a name, its roles and its special cases of its own.
 template <class Out>
 [[nodiscard]] Teaching<Out>
-sphereThroughTeaching(std::string_view id, std::vector<std::string> roles,
+sphereThroughTeaching(std::string_view id, const std::vector<std::string> &roles,
                       std::function<std::vector<SpecialCase>(const Out &)> nearby) {
   const HasPlace<Out> eachSide = [](const Out & /*at*/, std::size_t /*index*/) { return true; };
   const HasPlace<Out> eachEquation = [](const Out &at, std::size_t /*index*/) { return at.hasSphere; };
   return {.id = id,
           .word = "circumsphere",
-          .roles = std::move(roles),
+          .roles = roles,
           .makes = {{"M", &Out::hasSphere, &Out::M},
                     {"S", SphereObject::kind, &Out::makesSphere,
                      [](const Out &at) {
