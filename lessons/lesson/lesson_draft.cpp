@@ -68,7 +68,7 @@ bool isWordsAlone(const LessonStep &step, const std::string &words) {
   const auto *own = step.blocks.empty() ? nullptr : std::get_if<StepWords>(&step.blocks.front());
   const bool areThere = words.empty() ? step.blocks.size() == 1
                                       : step.blocks.size() == 2 && own && own->text.written() == words;
-  return areThere && !step.blank && !step.drawsAll && step.drawn.empty() && step.hidden.empty() &&
+  return areThere && !step.blank && !step.drawsAllResults && step.drawn.empty() && step.hidden.empty() &&
          step.terms.empty() && step.formulas.empty();
 }
 

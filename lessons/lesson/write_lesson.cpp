@@ -51,7 +51,8 @@ std::string fenceAround(std::string_view text) {
     run = c == '`' ? run + 1 : 0;
     longest = std::max(longest, run);
   }
-  return std::string(std::max(shortest, longest + 1), '`');
+  std::string fence(std::max(shortest, longest + 1), '`');
+  return fence;
 }
 
 /// A block of its step, behind an empty line.
