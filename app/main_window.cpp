@@ -2,6 +2,7 @@
 
 #include "app/explore/explore_presenter.h"
 #include "app/explore/field_presenter.h"
+#include "app/explore/scene_lesson.h"
 #include "app/export/figure_export.h"
 #include "app/export/scene_paste.h"
 #include "app/library/contents_presenter.h"
@@ -105,8 +106,9 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
   auto *formulas = new FormulaPresenter(m_model, m_look, m_panels.typesetter(), *this);
+  auto *lesson = new SceneLesson(m_model, m_files, m_panels.messages(), this);
   QMenuBar *bar = menuBar();
-  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, figures, *handouts, *animations, bar);
+  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, figures, *handouts, *animations, *lesson, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
   bar->addMenu(file);
   bar->addMenu(

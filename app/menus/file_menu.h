@@ -9,6 +9,7 @@ class AnimationExport;
 class FigureExport;
 class HandoutExport;
 class LeftoverWork;
+class SceneLesson;
 class SceneMeshes;
 class SessionFiles;
 
@@ -17,7 +18,7 @@ class FileMenu : public QMenu {
 public:
   /// All must outlive it.
   FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, FigureExport &figures,
-           HandoutExport &handouts, AnimationExport &animations, QWidget *parent);
+           HandoutExport &handouts, AnimationExport &animations, SceneLesson &lesson, QWidget *parent);
 
 signals:
   void quitWanted();

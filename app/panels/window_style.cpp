@@ -76,7 +76,8 @@ QString styleSheetOf(const Theme &theme) {
     QLineEdit#lessonSearch { margin: 0 0.75em 0.4em 0.75em; }
     QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
     QListWidget#lessonList::item { padding: 0.4em 2.4em 0.4em 0.45em; border-radius: 5px; }
-    QLabel#heading, QLabel#sessionNote, QLabel#figureSize { color: %2; }
+    QLabel#heading, QLabel#sessionNote, QLabel#figureSize, QLabel#wordsHint, QLabel#conditionNow, QLabel#leftOut { color: %2; }
+    QLabel#conditionNow[wrong="true"] { color: %4; }
     QLabel#exportMessage[wrong="true"] { color: %4; }
     QLabel#complaint { color: %4; }
     QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 0.15em 0.4em; }

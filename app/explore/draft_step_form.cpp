@@ -1,0 +1,110 @@
+#include "app/explore/draft_step_form.h"
+
+#include "app/explore/check_list.h"
+#include "app/explore/draft_question_form.h"
+#include "app/explore/draft_task_form.h"
+#include "lessons/language.h"
+#include "lessons/typed/write_line.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace halfspace {
+namespace {
+
+/// The entries of a scene for which a predicate holds, as they are typed.
+template <class Predicate> std::vector<CheckItem> entriesOf(const Scene &scene, Predicate isMeant) {
+  std::vector<CheckItem> items;
+  for (const Entry &entry : scene.entries)
+    if (isMeant(entry)) {
+      const std::string line = lineFor(entry, language().decimalMark);
+      items.push_back({entry.name, QString::fromStdString(line.empty() ? entry.name : line)});
+    }
+  return items;
+}
+
+bool isConstruction(const Entry &entry) { return std::holds_alternative<ConstructionUse>(entry.content); }
+
+/// Something that can stand in braces.
+QString anyValue(const Scene &scene) {
+  const auto coordinates = coordinatesOf(scene);
+  return coordinates.empty() ? "Q" : QString::fromStdString(shortName(scene, coordinates.front()));
+}
+
+} // namespace
+
+DraftStepForm::DraftStepForm(const Evaluation &start)
+    : m_title(new QLineEdit), m_words(new QPlainTextEdit),
+      m_workings(new CheckList(tr("Shows the &working of"), entriesOf(start.scene, isConstruction))),
+      m_hidden(new CheckList(tr("Hi&des"), entriesOf(start.scene, isDrawn))),
+      m_question(new DraftQuestionForm(start)), m_task(new DraftTaskForm(start)) {
+  m_title->setObjectName("stepTitle");
+  m_words->setObjectName("words");
+  m_words->setTabChangesFocus(true);
+  m_workings->setObjectName("workings");
+  m_hidden->setObjectName("hidden");
+  auto *tabs = new QTabWidget;
+  tabs->setObjectName("stepTabs");
+  tabs->addTab(wordsPage(start), tr("Words"));
+  tabs->addTab(shownPage(), tr("Shown"));
+  tabs->addTab(m_question, tr("Question"));
+  tabs->addTab(m_task, tr("Task"));
+  auto *title = new QFormLayout;
+  title->addRow(tr("Ste&p:"), m_title);
+  auto *column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(title);
+  column->addWidget(tabs, 1);
+  connect(m_title, &QLineEdit::textChanged, this, &DraftStepForm::changed);
+  connect(m_words, &QPlainTextEdit::textChanged, this, &DraftStepForm::changed);
+  for (const CheckList *list : {m_workings, m_hidden})
+    connect(list, &CheckList::changed, this, &DraftStepForm::changed);
+  connect(m_question, &DraftQuestionForm::changed, this, &DraftStepForm::changed);
+  connect(m_task, &DraftTaskForm::changed, this, &DraftStepForm::changed);
+}
+
+QWidget *DraftStepForm::wordsPage(const Evaluation &start) {
+  auto *hint = new QLabel(tr("Markdown, with LaTeX between dollars, and live values in braces: {%1} is what "
+                             "%1 is at the moment.")
+                              .arg(anyValue(start.scene)));
+  hint->setObjectName("wordsHint");
+  hint->setWordWrap(true);
+  m_words->setAccessibleName(tr("Words of the step"));
+  m_words->setAccessibleDescription(hint->text());
+  auto *page = new QWidget;
+  auto *column = new QVBoxLayout(page);
+  column->addWidget(m_words, 1);
+  column->addWidget(hint);
+  return page;
+}
+
+QWidget *DraftStepForm::shownPage() {
+  auto *page = new QWidget;
+  auto *row = new QHBoxLayout(page);
+  row->addWidget(m_workings);
+  row->addWidget(m_hidden);
+  return page;
+}
+
+void DraftStepForm::fill(const DraftStep &step) {
+  const QSignalBlocker untold(this);
+  m_title->setText(QString::fromStdString(step.title));
+  m_words->setPlainText(QString::fromStdString(step.words));
+  m_workings->setChecked(step.workings);
+  m_hidden->setChecked(step.hidden);
+  m_question->fill(step.question);
+  m_task->fill(step.task);
+}
+
+DraftStep DraftStepForm::step() const {
+  return {m_title->text().toStdString(), m_words->toPlainText().toStdString(),
+          m_workings->checked(),         m_hidden->checked(),
+          m_question->question(),        m_task->task()};
+}
+
+} // namespace halfspace
