@@ -38,19 +38,18 @@ std::string objectText(const Given<Object> &given, const DerivedObject *derived 
 }
 
 /// The value that goes by the construction's own name or word, `signed_distance` or `distance`; where its
-/// case has none such, the first that stands in its lines.
+/// case has none such, the last that stands in its lines: what they lead to.
 std::string mainValue(const Outcome &outcome, const Construction &construction) {
   std::string named(construction.id);
   std::replace(named.begin(), named.end(), '-', '_'); // as the eval format writes names
-  std::string first;
+  std::string last;
   for (const NamedValue &value : *outcome.values)
     if (const auto *letter = std::get_if<Term>(&value.label)) {
       if (value.name == named || value.name == construction.word)
         return equation(*letter);
-      if (first.empty())
-        first = equation(*letter);
+      last = equation(*letter);
     }
-  return first;
+  return last;
 }
 
 /// What stands behind the name and its sign.

@@ -6,10 +6,10 @@
 namespace halfspace {
 
 struct EntrySummary {
-  std::string
-      definition; ///< as it is typed, behind the name: `midpoint(A, B)`; of a mesh the noun of its kind
+  /// As it is typed, behind the name: `midpoint(A, B)`; of a mesh the noun of its kind.
+  std::string definition;
   /// What that comes to, where the definition does not say it: a plane's equation, the coordinates of what
-  /// follows others, the first number that a construction tells. Empty for nothing, and where it is missing.
+  /// follows others, the number that a construction leads to. Empty for nothing, and where it is missing.
   std::string value;
 };
 

@@ -41,6 +41,10 @@ TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
   EXPECT_EQ(summaryOfLast(objects + "d = distance(E, Q)"), Told("signed-distance(E, Q)", "dist = 10"));
 }
 
+TEST(EntrySummary, OfAConstructionThatHasNoSuchValue_IsTheLastThatItLeadsTo) {
+  EXPECT_EQ(summaryOfLast("E: x = 1\nF: y = 1\na = angle(E, F)").second, "cosφ = 0");
+}
+
 TEST(EntrySummary, OfWhatIsNotThere_HasNoValue) {
   EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)").second, "");
   EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)\nE: z = 1\nd = distance(E, P)").second, "");
