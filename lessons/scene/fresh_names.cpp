@@ -30,7 +30,7 @@ constexpr std::array usualLetters{
     UsualLetters{LineObject::kind, "gh", 'g'},       UsualLetters{VectorObject::kind, "uvw", 'v'},
     UsualLetters{NumberObject::kind, "km", 'k'},     UsualLetters{TriangleObject::kind, "T", 'T'},
     UsualLetters{SphereObject::kind, "S", 'S'},      UsualLetters{BoxObject::kind, "K", 'K'},
-    UsualLetters{UfoObject::kind, "U", 'U'},
+    UsualLetters{UfoObject::kind, "U", 'U'},         UsualLetters{"tetrahedron", "T", 'T'},
 };
 
 /// They stand for the unknowns of equations and for the parameter of a line.
