@@ -36,6 +36,9 @@ ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, Ma
 }
 
 void ExplorePresenter::takeLesson() {
+  const auto &entries = m_model.session().scene.entries;
+  m_entries = entries.size();
+  m_last = entries.empty() ? std::string() : entries[entries.size() - 1].name;
   m_pinned.clear();
   m_selection.set({});
   m_panels.explore().setVisible(isExplore(m_model));
@@ -54,8 +57,20 @@ void ExplorePresenter::takeScene() {
   m_selection.set(std::move(ids));
   if (!m_selection.ids().empty())
     highlight(); // another case has other marks
-  if (isExplore(m_model) && std::exchange(m_entries, scene.entries.size()) != scene.entries.size())
-    m_panels.scene().view().viewpoint().takeGrown();
+  if (isExplore(m_model))
+    takeEntries();
+}
+
+void ExplorePresenter::takeEntries() {
+  const auto &entries = m_model.session().scene.entries;
+  const std::string last = entries.empty() ? std::string() : entries[entries.size() - 1].name;
+  const std::size_t before = std::exchange(m_entries, entries.size());
+  const bool isNew = std::exchange(m_last, last) != last;
+  if (before == entries.size())
+    return;
+  m_panels.scene().view().viewpoint().takeGrown();
+  if (isNew && before < entries.size())
+    m_selection.set({last});
 }
 
 void ExplorePresenter::choose(const QString &mark, bool adds) {

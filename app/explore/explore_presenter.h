@@ -32,6 +32,8 @@ public:
 private:
   void takeLesson();
   void takeScene();
+  /// What has come to the scene, by whichever way, is selected, and in view.
+  void takeEntries();
   /// Somebody has clicked on a mark of the picture; with `adds` what it is of comes to what is selected.
   void choose(const QString &mark, bool adds);
   void takeHandle();
@@ -48,6 +50,7 @@ private:
   SceneSelection &m_selection;
   std::set<std::string> m_pinned; ///< constructions whose working stays
   std::size_t m_entries = 0;      ///< of the scene, when it was shown last
+  std::string m_last;             ///< the name of the last of them
 };
 
 } // namespace halfspace

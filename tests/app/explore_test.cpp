@@ -259,6 +259,19 @@ private slots:
     QVERIFY(fixture.value("k").x == 1000000);
   }
 
+  void whatAToolHasMade_isSelected() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 0)");
+    fixture.WindowFixture::scene().objectHand().begin(ToolObject::Point);
+    const QPoint place = fixture.pixelOf({5, 5, 0});
+    QTest::mouseMove(&fixture.WindowFixture::scene(), place);
+    fixture.press(place);
+    fixture.release();
+    QCOMPARE(fixture.scene().size(), 2);
+    QCOMPARE(fixture.selection().ids(), (std::vector<std::string>{"B"}));
+  }
+
   void linesPastedTogether_areOneStep_andAWrongOneAddsNothing() {
     ExploreFixture fixture;
     QVERIFY(fixture.ready);
