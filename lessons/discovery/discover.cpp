@@ -3,6 +3,7 @@
 #include "lessons/discovery/facts.h"
 #include "lessons/discovery/moved_scene.h"
 #include "lessons/object/letters.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -22,20 +23,9 @@ constexpr std::uint64_t seed = 53;
 /// The objects that were asked for, as they stand at one place; nothing for what is not there.
 using Sample = std::vector<std::optional<SpatialObject>>;
 
-const OfferedObject *findOffered(const Evaluation &evaluation, const std::string &id) {
-  const EvaluatedEntry *entry = evaluation.find(ownerOf(id));
-  if (!entry)
-    return nullptr;
-  const std::string_view own =
-      qualified(id).entry.empty() ? std::string_view() : std::string_view(qualified(id).own);
-  const auto found = std::find_if(entry->offers.begin(), entry->offers.end(),
-                                  [&](const OfferedObject &each) { return each.name == own; });
-  return found == entry->offers.end() || !found->whyNot.empty() ? nullptr : &*found;
-}
-
 std::optional<SpatialObject> spatialIn(const Evaluation &evaluation, const std::string &id) {
   const OfferedObject *object = findOffered(evaluation, id);
-  return object ? spatialOf(object->given->object) : std::nullopt;
+  return object && object->whyNot.empty() ? spatialOf(object->given->object) : std::nullopt;
 }
 
 Sample sampleOf(const Evaluation &evaluation, const std::vector<std::string> &ids) {
