@@ -8,7 +8,6 @@
 #include "tests/untranslated.h"
 
 #include "lessons/scene/hand/handles.h"
-#include "widgets/explore/entry_rows.h"
 #include "widgets/hit_table/fragment_table.h"
 #include "widgets/text/math_label.h"
 #include "widgets/view/fitted_label.h"
@@ -44,19 +43,13 @@ QStringList spokenOf(QWidget &widget) {
   return texts;
 }
 
-/// Lines of scenes are typed alike in every language.
-bool isNotation(const QAbstractItemModel &model, int column) {
-  return qobject_cast<const EntryRows *>(&model) && column == EntryRows::Definition;
-}
-
 QStringList textsOf(const QAbstractItemModel &model) {
   constexpr int fewRows = 30;
   QStringList texts;
   for (int row = 0; row < std::min(model.rowCount(), fewRows); ++row)
     for (int column = 0; column < model.columnCount(); ++column)
       for (const int role : {Qt::DisplayRole, Qt::ToolTipRole, Qt::AccessibleTextRole})
-        if (role != Qt::DisplayRole || !isNotation(model, column))
-          texts << model.index(row, column).data(role).toString();
+        texts << model.index(row, column).data(role).toString();
   return texts;
 }
 

@@ -43,7 +43,9 @@ void EntryRows::setTheme(const Theme &theme) {
 }
 
 void EntryRows::takeScene() {
-  std::vector<std::string> ids = idsIn(m_model.evaluation());
+  // In lessons nobody sees the list, and their drags need not wait for it.
+  std::vector<std::string> ids =
+      isExplore(m_model) ? idsIn(m_model.evaluation()) : std::vector<std::string>();
   if (ids != m_ids) {
     beginResetModel();
     m_ids = std::move(ids);

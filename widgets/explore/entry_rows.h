@@ -9,7 +9,8 @@ namespace halfspace {
 
 struct Theme;
 
-/// Follows the scene of a session. What a row tells is made when it is looked at.
+/// Follows the scene of a session in Explore; of a lesson there are no rows. What a row tells is made when it
+/// is looked at.
 class EntryRows : public QAbstractTableModel {
   Q_OBJECT
 public:
