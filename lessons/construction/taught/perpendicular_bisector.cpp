@@ -1,18 +1,14 @@
 // The plane of all points that are equally far from two points.
 #include "lessons/construction/parts/made_plane.h"
 #include "lessons/construction/parts/several_planes.h"
+#include "lessons/construction/parts/two_points.h"
 #include "lessons/construction/taught.h"
 
 namespace halfspace {
 namespace {
 
-struct In : Naming {
-  Given<PointObject> A;
-  Given<PointObject> B;
-};
-
-struct Out : Computed<In> {
-  explicit Out(const In &objects) : Computed(objects) {}
+struct Out : Computed<TwoPoints> {
+  explicit Out(const TwoPoints &objects) : Computed(objects) {}
 
   ExactVec3 way = in.B.object.at - in.A.object.at;
   bool hasPlane = !isZero(way);
