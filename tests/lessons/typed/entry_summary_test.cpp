@@ -42,7 +42,7 @@ TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
 }
 
 TEST(EntrySummary, OfAConstructionThatHasNoSuchValue_IsTheLastThatItLeadsTo) {
-  EXPECT_EQ(summaryOfLast("E: x = 1\nF: y = 1\na = angle(E, F)").second, "cosφ = 0");
+  EXPECT_EQ(summaryOfLast("E: x = 1\nF: y = 1\na = angle(E, F)").second, "cos φ = 0");
 }
 
 TEST(EntrySummary, OfWhatIsNotThere_HasNoValue) {
