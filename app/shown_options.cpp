@@ -44,9 +44,9 @@ std::optional<Problem> switchParts(ShownParts &shown, const char *option,
 } // namespace
 
 void addShownOptions(CLI::App &command, ShownOptions &options) {
-  addParts(
-      command, showOption, options.with,
-      words("Draw a part of the picture that is left out else: coordinates behind the letters of points"));
+  addParts(command, showOption, options.with,
+           words("Draw a part of the picture that is left out else: coordinates behind the letters of "
+                 "points, lines from them down to the ground"));
   addParts(command, withoutOption, options.without,
            words("Leave parts of the picture out (with commas between several)"));
 }

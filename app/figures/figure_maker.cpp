@@ -65,7 +65,7 @@ std::optional<PixelBox> flatBox(const FlatPicture &flat, const View &view, const
                                 const LabelSetter &set) {
   const Theme &theme = choices.theme;
   const SceneContent content = chosen(flat.seenFrom(view), choices);
-  const auto labels = LabelPage().place(labelTexts(content, {}, theme, view),
+  const auto labels = LabelPage().place(writtenLabels(content, {}, theme, view),
                                         obstaclesOf(content, std::nullopt, theme, view), set, view);
   return drawnBox(flatShapes(content, theme, view),
                   shapesOf(labels, theme.mutedInk, leaderWidth * view.pixelRatio), view.size);

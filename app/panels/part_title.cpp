@@ -16,6 +16,8 @@ QString partTitle(bool ShownParts::*part) {
     return PartTitle::tr("La&bels");
   if (part == &ShownParts::coordinates)
     return PartTitle::tr("Coord&inates");
+  if (part == &ShownParts::dropLines)
+    return PartTitle::tr("Drop &Lines");
   if (part == &ShownParts::axes)
     return PartTitle::tr("Ax&es");
   return part == &ShownParts::grid ? PartTitle::tr("&Grid") : PartTitle::tr("Sha&dows");

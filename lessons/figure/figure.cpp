@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -26,8 +27,7 @@ bool hasNoEnd(const Mark &mark) {
 }
 
 bool hasNumbers(const Mark &mark) {
-  const auto *point = std::get_if<PointMark>(&mark);
-  return !baseOf(mark).numbers.empty() || (point && !point->coordinates.empty());
+  return !baseOf(mark).numbers.empty() || !baseOf(mark).coordinates.empty();
 }
 
 } // namespace
@@ -59,8 +59,13 @@ Figure reaching(Figure figure) {
 
 void clearNumbers(Mark &mark) {
   baseOf(mark).numbers.clear();
-  if (auto *point = std::get_if<PointMark>(&mark))
-    point->coordinates.clear();
+  baseOf(mark).coordinates.clear();
+}
+
+void writeCoordinates(Mark &mark) {
+  MarkBase &base = baseOf(mark);
+  if (!base.label.empty())
+    base.numbers = std::exchange(base.coordinates, {}) + base.numbers;
 }
 
 Figure withoutNumbers(Figure figure) {

@@ -41,6 +41,9 @@ struct Figure {
 /// coordinates to be written behind it.
 void clearNumbers(Mark &mark);
 
+/// Writes the coordinates behind the label of a mark that has one, whether others' are written or not.
+void writeCoordinates(Mark &mark);
+
 /// The figure with letters alone in its labels.
 [[nodiscard]] Figure withoutNumbers(Figure figure);
 

@@ -49,6 +49,9 @@ struct MarkBase {
   std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
   bool passes = false;   ///< it flies by: labels of others make no room for it
   Look look{};           ///< that of the one object that it speaks of
+  /// LaTeX that goes on behind the label where coordinates are written: `{(11,15,8)}`; stays away while
+  /// numbers are hidden.
+  std::string coordinates{};
   bool operator==(const MarkBase &) const = default;
 };
 
@@ -64,9 +67,6 @@ struct Extent {
 
 struct PointMark : MarkBase {
   Place at{};
-  /// LaTeX that goes on behind the label where coordinates are written: `{(11,15,8)}`; stays away while
-  /// numbers are hidden.
-  std::string coordinates{};
   bool operator==(const PointMark &) const = default;
 };
 

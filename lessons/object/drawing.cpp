@@ -11,6 +11,15 @@
 #include <algorithm>
 
 namespace halfspace {
+namespace {
+
+/// The numbers behind a letter, with what stands between them where none is rounded.
+std::string writtenBehind(const std::string &relation, const Term &term) {
+  const Term numbers = amongWords(calculated(term));
+  return (showsRounded(numbers) ? "\\approx " : relation) + "{" + latexOf(numbers, Fractions::Flat) + "}";
+}
+
+} // namespace
 
 Place place(const Term &term) {
   const std::vector<Polynomial> &entries = term->value.value().entries;
@@ -22,14 +31,15 @@ MarkBase drawn(const Term &letter, Role role, Subject subject) {
   return {letter->mark, role, subject, latexOf(letter)};
 }
 
-std::string writtenCoordinates(const Term &point) {
-  const Term numbers = amongWords(calculated(point));
-  // A group of its own stands close to the letter, as an argument does.
-  return (showsRounded(numbers) ? "\\approx {" : "{") + latexOf(numbers, Fractions::Flat) + "}";
-}
+// A group of its own stands close to the letter, as an argument does.
+std::string writtenCoordinates(const Term &point) { return writtenBehind("", point); }
+
+std::string writtenVector(const Term &vector) { return writtenBehind("= ", vector); }
 
 PointMark pointOf(const Term &letter, Role role, Subject subject) {
-  return {drawn(letter, role, subject), place(letter), writtenCoordinates(letter)};
+  MarkBase base = drawn(letter, role, subject);
+  base.coordinates = writtenCoordinates(letter);
+  return {std::move(base), place(letter)};
 }
 
 ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject) {

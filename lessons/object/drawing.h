@@ -16,6 +16,8 @@ namespace halfspace {
 /// The coordinates of a point as a label has them behind its letter, in LaTeX: `{(11,15,8)}`, or
 /// `\approx {(…)}` where a number is rounded.
 [[nodiscard]] std::string writtenCoordinates(const Term &point);
+/// The same of a vector: `= {(1,2,3)}`, or `\approx {(…)}`.
+[[nodiscard]] std::string writtenVector(const Term &vector);
 
 /// What the mark has that draws a letter: its id is the mark that the term says it is, its label the letter.
 [[nodiscard]] MarkBase drawn(const Term &letter, Role role, Subject subject);

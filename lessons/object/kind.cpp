@@ -68,8 +68,9 @@ MarkBase partOf(const Given<Object> &given, std::size_t index, Subject subject) 
 }
 
 PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject) {
-  return {partOf(given, index, subject), place(given.object[index]),
-          writtenCoordinates(coordinateTerm(given, index))};
+  MarkBase base = partOf(given, index, subject);
+  base.coordinates = writtenCoordinates(coordinateTerm(given, index));
+  return {std::move(base), place(given.object[index])};
 }
 
 ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject) {

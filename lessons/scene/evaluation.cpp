@@ -21,6 +21,14 @@ bool canStandIn(const ConstructionRole &role, const Object &object) {
   return role.kind == kindOf(object) || role.kind == seenKindOf(object);
 }
 
+/// With what the labels of its entry are to say.
+Figure labelled(Figure figure, std::optional<LabelText> text) {
+  for (std::size_t place = 0; text && place < figure.marks.size(); ++place)
+    figure.marks.change(
+        place, [&](Mark &mark) { *text == LabelText::Name ? clearNumbers(mark) : writeCoordinates(mark); });
+  return figure;
+}
+
 Figure withoutHiddenLabels(Figure figure, const LabelsByHand &labels) {
   for (std::size_t place = 0; place < figure.marks.size() && !labels.empty(); ++place)
     if (isLabelHidden(labels, baseOf(figure.marks[place]).id))
@@ -322,7 +330,7 @@ Figure figureOf(const Evaluation &evaluation) {
   for (const EvaluatedEntry &entry : evaluation.entries) {
     if (evaluation.scene.entries.find(entry.name)->isHidden)
       continue;
-    const Figure &own = *entry.outcome->figure;
+    const Figure own = labelled(*entry.outcome->figure, evaluation.scene.entries.find(entry.name)->label);
     all.marks.append(own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }

@@ -43,9 +43,10 @@ struct DerivedObject {
 /// What the host of a bound object is called in files and edits.
 inline constexpr const char *hostRole = "on";
 
-// What the colour of an object, and what is done with an entry's picture, are called in files and typed
-// lines.
+// What the colour and the lines of an object, and what is done with an entry's picture, are called in files.
 inline constexpr const char *colorField = "color";
+inline constexpr const char *lineField = "line";
+inline constexpr const char *labelField = "label";
 inline constexpr const char *hiddenField = "hidden";
 inline constexpr const char *lockedField = "locked";
 
@@ -56,6 +57,8 @@ struct Entry {
   std::optional<Hue> color{}; ///< of an object, derived or not; nothing where its place in the scene decides
   bool isHidden = false;      ///< nothing of it is drawn; others go on to look at it
   bool isLocked = false;      ///< an object that no hand moves
+  std::optional<LineStyle> line{};  ///< of an object; nothing where its place in the scene decides
+  std::optional<LabelText> label{}; ///< nothing: numbers, and coordinates where they are written
   bool operator==(const Entry &) const = default;
 };
 
@@ -68,7 +71,7 @@ struct Entry {
 /// Whether the entry is an object that lies on another.
 [[nodiscard]] inline bool isBound(const Entry &entry) { return !entry.on.empty(); }
 
-/// Whether two entries differ in the numbers of their object and in its colour alone, if at all.
+/// Whether two entries differ in the numbers of their object and in its look alone, if at all.
 [[nodiscard]] bool areBuiltAlike(const Entry &a, const Entry &b);
 
 /// Evaluated from top to bottom: an entry sees only those above it, so there are no cycles. Copies of a scene

@@ -57,8 +57,10 @@ std::optional<Problem> checkLook(const Entry &entry) {
   const bool isSeen = isDrawn(entry);
   if (entry.color && !(isObject && isSeen))
     return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
-  if (entry.isHidden && !isSeen)
-    return problemWith(hiddenField,
+  if (entry.line && !(isObject && isSeen))
+    return problemWith(lineField, words("“{name}” has no lines of its own.", {{"name", entry.name}}));
+  if ((entry.isHidden || entry.label) && !isSeen)
+    return problemWith(entry.isHidden ? hiddenField : labelField,
                        words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));
   if (entry.isLocked && !(isObject && isSeen))
     return problemWith(lockedField, words("No hand moves “{name}” anyway.", {{"name", entry.name}}));

@@ -38,7 +38,7 @@ std::vector<Look> looksOf(const Scene &scene) {
   std::map<Subject, std::size_t> objects;
   HueCounts counts;
   for (const Entry &entry : scene.entries) {
-    Look look{entry.color};
+    Look look{entry.color, entry.line};
     if (look.hue)
       counts.add(*look.hue);
     if (const auto subject = subjectOf(entry)) {

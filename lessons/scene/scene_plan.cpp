@@ -19,7 +19,7 @@ bool haveSamePlan(const Scene &a, const Scene &b) {
     return false;
   for (std::size_t i = 0; i < a.entries.size(); ++i)
     if (const auto &x = a.entries.shared(i), &y = b.entries.shared(i);
-        x != y && !(areBuiltAlike(*x, *y) && x->color == y->color))
+        x != y && !(areBuiltAlike(*x, *y) && x->color == y->color && x->line == y->line))
       return false;
   return true;
 }

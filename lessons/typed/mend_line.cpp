@@ -3,6 +3,7 @@
 #include "lessons/guess.h"
 #include "lessons/text.h"
 #include "lessons/typed/call_words.h"
+#include "lessons/typed/look_words.h"
 #include "lessons/typed/read_line.h"
 #include "lessons/typed/scene_names.h"
 
@@ -107,11 +108,9 @@ private:
   void addNearWords() {
     std::vector<std::string> known = m_names.names();
     known.insert(known.end(), callWords().begin(), callWords().end());
-    for (const std::string_view word :
-         {std::string_view(stepWord), std::string_view(hiddenField), std::string_view(lockedField)})
-      known.emplace_back(word);
-    for (const std::string &color : hueNames())
-      known.push_back(color);
+    known.emplace_back(stepWord);
+    for (const std::string &word : lookWords())
+      known.push_back(word);
     for (const LinePart &part : wordsIn(m_line)) {
       const std::string word(m_line.substr(part.begin, part.end - part.begin));
       if (part.begin == 0 || std::find(known.begin(), known.end(), word) != known.end())

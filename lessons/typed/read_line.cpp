@@ -12,6 +12,7 @@
 #include "lessons/text.h"
 #include "lessons/typed/call_words.h"
 #include "lessons/typed/equation.h"
+#include "lessons/typed/look_words.h"
 #include "lessons/typed/scene_names.h"
 #include "lessons/typed/typed_object.h"
 #include "lessons/typed/typed_use.h"
@@ -65,12 +66,13 @@ bool takeUnitInterval(FormulaReader &reader, const std::string &name) {
   return reader.take("0") && takeLess(reader) && reader.take(name) && takeLess(reader) && reader.take("1");
 }
 
-/// Whether a word of the look is what comes next: a colour, hidden, locked; it is not taken.
+/// Whether a word of the look is what comes next; it is not taken.
 bool isLookNext(FormulaReader &reader) {
   const std::size_t at = reader.at();
-  const std::string_view word = reader.takeName();
+  Entry any;
+  const bool isLook = setLook(any, reader.takeName());
   reader.goTo(at);
-  return findHue(word) || word == hiddenField || word == lockedField;
+  return isLook;
 }
 
 class LineReader {
@@ -353,14 +355,9 @@ private:
   void readLookWord() {
     const std::size_t at = m_reader.at();
     const std::string word(m_reader.takeName());
-    if (word == hiddenField)
-      m_entry.isHidden = true;
-    else if (word == lockedField)
-      m_entry.isLocked = true;
-    else if (const auto hue = findHue(word))
-      m_entry.color = hue;
-    else
-      fail(words("“{name}” is not a colour.", {{"name", word}}), at, word.size());
+    if (!setLook(m_entry, word))
+      fail(words("“{name}” is no colour, nor anything else that can stand here.", {{"name", word}}), at,
+           word.size());
   }
 
   /// Says what keeps the whole from being an entry, as its scene sees it.

@@ -8,6 +8,7 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/vector.h"
 #include "lessons/typed/equation.h"
+#include "lessons/typed/look_words.h"
 #include "lessons/typed/scene_names.h"
 
 namespace halfspace {
@@ -44,12 +45,8 @@ public:
 private:
   std::string lookText() const {
     std::string text;
-    if (m_entry.color)
-      text += m_separator + std::string(nameOf(*m_entry.color));
-    if (m_entry.isHidden)
-      text += m_separator + hiddenField;
-    if (m_entry.isLocked)
-      text += m_separator + lockedField;
+    for (const std::string &word : lookWordsOf(m_entry))
+      text += m_separator + word;
     return text;
   }
 

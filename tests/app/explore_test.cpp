@@ -3,7 +3,11 @@
 #include "tests/app/explore_fixture.h"
 
 #include <QClipboard>
+#include <QMimeData>
 #include <QSlider>
+
+#include <memory>
+#include <random>
 
 using namespace halfspace;
 
@@ -149,6 +153,54 @@ private slots:
     QVERIFY(!findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
     rows->setData(fixture.row("Q"), Qt::Checked, Qt::CheckStateRole);
     QVERIFY(findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
+  }
+
+  void menuOfARow_choosesLinesAndLabels_eachAnUndoStep() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("g = (1, 2, 3) + t(1, 0, 1)");
+    fixture.clickRow("g");
+    const auto choose = [&](const QString &submenu, const QString &item) {
+      QMenu menu;
+      fixture.list().fillMenu(menu);
+      for (QAction *action : menu.findChild<QMenu *>(submenu)->actions())
+        if (action->text().remove('&') == item)
+          return action->trigger();
+      QFAIL(qPrintable(item));
+    };
+    choose("lineMenu", "Dotted");
+    QCOMPARE(fixture.scene(), (QStringList{"g = (1, 2, 3) + t(1, 0, 1), dotted"}));
+    choose("labelMenu", "Name and Value");
+    QCOMPARE(fixture.scene(), (QStringList{"g = (1, 2, 3) + t(1, 0, 1), dotted, value"}));
+    choose("labelMenu", "None");
+    QVERIFY(isLabelHidden(fixture.model().session().scene.labels, "g"));
+    choose("labelMenu", "Automatic");
+    QVERIFY(!isLabelHidden(fixture.model().session().scene.labels, "g"));
+    QCOMPARE(fixture.scene(), (QStringList{"g = (1, 2, 3) + t(1, 0, 1), dotted"}));
+    fixture.model().history().undo();
+    QVERIFY(isLabelHidden(fixture.model().session().scene.labels, "g"));
+  }
+
+  void rowThatIsDragged_isMoved_asFarAsItsEntryMay() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"A = (1, 2, 3)", "E: z = 0", "d = distance(A, E)", "B = (4, 5, 6)"})
+      fixture.enter(line);
+    auto *rows = fixture.list().model();
+    const QStringList before = fixture.scene();
+    const auto drop = [&](const std::string &name, const QModelIndex &above) {
+      const std::unique_ptr<QMimeData> data(rows->mimeData({fixture.row(name)}));
+      rows->dropMimeData(data.get(), Qt::MoveAction, above.row(), 0, {});
+    };
+    drop("A", fixture.row("B")); // below what looks at it
+    QCOMPARE(fixture.scene(), before);
+    QVERIFY(!fixture.sentence().isEmpty());
+    drop("B", fixture.row("E"));
+    QCOMPARE(fixture.scene(), (QStringList{before[0], before[3], before[1], before[2]}));
+    drop("B", {}); // beyond the last row
+    QCOMPARE(fixture.scene(), before);
+    QVERIFY(rows->flags(fixture.row("d")) & Qt::ItemIsDragEnabled);
+    QVERIFY(!(rows->flags(fixture.row("d.F")) & Qt::ItemIsDragEnabled));
   }
 
   void clickInThePicture_selectsTheRow_andARowItsHandle() {
@@ -302,6 +354,61 @@ private slots:
     fixture.window.findChild<QMenu *>("parts")->findChild<QAction *>("grid")->setChecked(false);
     QVERIFY(!fixture.WindowFixture::scene().drawn().drawnContent().shown.grid);
     QVERIFY(fixture.WindowFixture::scene().drawn().drawnContent().shown.axes);
+  }
+
+  void whatIsDoneAtRandom_isUndoneAndDoneAgain_inAnyOrder() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    EntryEdits &edits = fixture.window.findChild<ExplorePanel *>()->edits();
+    std::mt19937 dice(20);
+    const auto below = [&dice](std::size_t count) { return static_cast<std::size_t>(dice() % count); };
+    const QStringList typed{
+        "(%1, 2, 3)",     "x + %1y + 2z = 9", "%1 + t(1, 2, 3)", "(%1, 0, 1) + t(-1, 3, 2)",
+        "distance(A, B)", "intersect(E, r)",  "midpoint(A, B)",  "triangle(A, B, C)",
+        "plane(A, B, C)", "sphere(A, %1)",    "(A + B)/%1",      "%1/2, 0 <= k <= 9"};
+    std::vector<Scene> scenes{fixture.model().session().scene};
+    const auto entries = [&]() -> const NamedList<Entry> & {
+      return fixture.model().session().scene.entries;
+    };
+    const auto anyName = [&] { return entries()[below(entries().size())].name; };
+    const auto doSomething = [&] {
+      if (entries().size() < 4 || below(2) == 0) {
+        const QString names = "ABCEFrgkTd";
+        const QString &line = typed[static_cast<int>(below(static_cast<std::size_t>(typed.size())))];
+        const QString name = names[static_cast<int>(below(10))];
+        const QString number = QString::number(below(9) + 1);
+        return fixture.enter(name + (line.contains("z =") ? ": " : " = ") + line.arg(number));
+      }
+      const std::string name = anyName();
+      switch (below(7)) {
+      case 0:
+        return edits.remove({name});
+      case 1:
+        return edits.move(name, below(2) == 0 ? 1 : -1);
+      case 2:
+        return edits.rename(name, name + "1");
+      case 3:
+        return edits.setHidden(name, below(2) == 0);
+      case 4:
+        return edits.setColor(name, static_cast<Hue>(below(hueCount)));
+      case 5:
+        return edits.setLabel(name, LabelText::Value);
+      default:
+        return edits.setLine(name, LineStyle::Dashed);
+      }
+    };
+    const SessionHistory &history = fixture.model().history();
+    for (int i = 0; i < 150; ++i) {
+      doSomething();
+      QVERIFY(history.index() >= static_cast<int>(scenes.size()) - 1);
+      if (history.index() == static_cast<int>(scenes.size()))
+        scenes.push_back(fixture.model().session().scene);
+    }
+    QVERIFY(scenes.size() > 60);
+    for (int i = 0; i < 300; ++i) {
+      below(2) == 0 ? fixture.model().history().undo() : fixture.model().history().redo();
+      QVERIFY(fixture.model().session().scene == scenes.at(static_cast<std::size_t>(history.index())));
+    }
   }
 
   void lineTypedInALesson_leadsToExplore_andLeavesTheLesson() {

@@ -244,7 +244,7 @@ private slots:
     QVERIFY(fixture.ready);
     QByteArray before = fixture.saved(".svg");
     // While the step's question is open no coordinates are written, whatever is chosen.
-    for (const char *part : {"labels", "axes", "grid", "shadows"}) {
+    for (const char *part : {"drop-lines", "labels", "axes", "grid", "shadows"}) {
       fixture.field<QCheckBox>(part).click();
       const QByteArray after = fixture.saved(".svg");
       QVERIFY2(!after.isEmpty() && after != before, part);

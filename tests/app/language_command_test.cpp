@@ -17,7 +17,7 @@ const test::Names names{
     "step",    "row",     "frame",     "CSV",          "ray",         "sphere",        "JSON",
     "handout", "letter",  "NUMBERS",   "paper",        "animate",     "motion",        "flight",
     "turn",    "seconds", "fps",       "labels",       "coordinates", "axes",          "grid",
-    "shadows", "show",    "without"};
+    "shadows", "show",    "without",   "drop",         "lines"};
 
 class ProgramInAnotherLanguage : public Program {
 protected:

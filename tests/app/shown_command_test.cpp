@@ -31,8 +31,8 @@ TEST_F(ShownInFigures, OfVectors_AreAsAskedFor) {
 
 TEST_F(ShownInFigures, OfPixels_AreAsAskedFor) {
   const std::string usual = figure("signed-distance", "--size 320x200", ".png");
-  for (const std::string options :
-       {"--show coordinates", "--without labels", "--without axes", "--without grid", "--without shadows"})
+  for (const std::string options : {"--show coordinates", "--show drop-lines", "--without labels",
+                                    "--without axes", "--without grid", "--without shadows"})
     EXPECT_NE(figure("signed-distance", "--size 320x200 " + options, ".png"), usual) << options;
   EXPECT_EQ(figure("signed-distance", "--size 320x200 --show labels,axes", ".png"), usual);
 }

@@ -121,7 +121,7 @@ void addTools(BarePicture &picture, const SceneContent &content, const Theme &th
 void addLabels(BarePicture &picture, const SceneContent &content, const Theme &theme, const View &view,
                const LabelSetter &set, const LabelPainter &paint, double scale) {
   const auto axes = axisLabels(axesFor({}), view.camera, 0, scale);
-  for (const LabelText &text : labelTexts(content, axes, theme, view)) {
+  for (const WrittenLabel &text : writtenLabels(content, axes, theme, view)) {
     const auto image = paint(set(text.latex), text.style);
     if (image && image->width > 0 && !text.anchors.empty())
       picture.labels.push_back(

@@ -42,9 +42,7 @@ void expectTranslated(const WorkingLine &line, const Names &names) {
 /// Labels are LaTeX, in which words stand by themselves.
 void expectTranslated(const Mark &mark) {
   static const std::regex wordsInLatex(R"(\\(?:text|mbox)\{([^{}]*)\})");
-  const auto *point = std::get_if<PointMark>(&mark);
-  for (const std::string &latex :
-       {baseOf(mark).label, baseOf(mark).numbers, point ? point->coordinates : std::string()}) {
+  for (const std::string &latex : {baseOf(mark).label, baseOf(mark).numbers, baseOf(mark).coordinates}) {
     EXPECT_FALSE(hasDecimalPoint(latex)) << latex;
     for (std::sregex_iterator words(latex.begin(), latex.end(), wordsInLatex), end; words != end; ++words)
       expectTranslated((*words)[1].str());

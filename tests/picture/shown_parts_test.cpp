@@ -103,11 +103,36 @@ TEST_F(ShownPartsOfAPicture, Shadows_LieOnTheGroundWithoutAGrid) {
   EXPECT_FALSE(composed().shadows) << "the lesson has none";
 }
 
+TEST_F(ShownPartsOfAPicture, DropLines_LeadFromThePointStraightDown) {
+  const auto shapesOf = [&](const std::string &mark) {
+    const auto &solids = *composed().layer(Layer::Solids);
+    return std::count_if(solids.begin(), solids.end(),
+                         [&](const Shape &shape) { return shape.mark == mark; });
+  };
+  EXPECT_EQ(shapesOf("Q/drop"), 0);
+  content.shown.dropLines = true;
+  EXPECT_EQ(shapesOf("Q/drop"), 1);
+  const auto &solids = *composed().layer(Layer::Solids);
+  const auto line =
+      std::find_if(solids.begin(), solids.end(), [](const Shape &shape) { return shape.mark == "Q/drop"; });
+  const auto &path = std::get<LineShape>(line->form).path;
+  EXPECT_EQ(path.front(), Place(9, 6, 9));
+  EXPECT_EQ(path.back(), Place(9, 6, 0));
+}
+
+TEST_F(ShownPartsOfAPicture, DropLines_AreNotThereWhereThereIsNoGround) {
+  content.shown.dropLines = true;
+  content.stage.middle = {0, 0, 900};
+  for (const Shape &shape : *composed().layer(Layer::Solids))
+    EXPECT_NE(shape.mark, "Q/drop");
+}
+
 TEST(ShownPartNames, AreOnesThatTellTheirParts) {
   std::set<std::string_view> names;
   for (const ShownPartName &each : shownPartNames)
     names.insert(each.name);
-  EXPECT_EQ(names, (std::set<std::string_view>{"labels", "coordinates", "axes", "grid", "shadows"}));
+  EXPECT_EQ(names,
+            (std::set<std::string_view>{"labels", "coordinates", "drop-lines", "axes", "grid", "shadows"}));
 }
 
 } // namespace

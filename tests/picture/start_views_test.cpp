@@ -56,7 +56,7 @@ void placeLabels(Page &page, const std::optional<AxesReach> &axes) {
   const double scale = designScale(page.view.camera, page.view.size, page.view.pixelRatio);
   const auto ofAxes = axes ? axisLabels(*axes, page.view.camera, 0, scale) : std::vector<AxisLabel>();
   page.labels =
-      page.placer.place(labelTexts(page.content, ofAxes, page.theme, page.view),
+      page.placer.place(writtenLabels(page.content, ofAxes, page.theme, page.view),
                         obstaclesOf(page.content, axes, page.theme, page.view), vectorsOnly(), page.view);
 }
 

@@ -191,10 +191,10 @@ void expectAllIsBounded(const Prepared &made) {
   EXPECT_LE(gridAround(view.camera).lines.size(), mostGridLines);
   const AxesReach axes = axesAround(figure);
   expectFiniteAndBounded(meshOf(axesOf(axes, view.camera, theme, scale)));
-  const auto labels = labelTexts(
+  const auto labels = writtenLabels(
       made.content, axisLabels(axes, view.camera, made.content.stage.exponent, scale), theme, view);
   EXPECT_LE(labels.size(), mostLabels);
-  for (const LabelText &label : labels) {
+  for (const WrittenLabel &label : labels) {
     EXPECT_LE(label.latex.size(), 400U) << label.latex;
     for (const LabelAnchor &anchor : label.anchors)
       EXPECT_TRUE(std::isfinite(anchor.pixel.x) && std::isfinite(anchor.pixel.y)) << label.latex;

@@ -74,10 +74,16 @@ void EntryEdits::remove(const std::vector<std::string> &ids) {
 }
 
 void EntryEdits::move(const std::string &name, int places) {
+  const int to = static_cast<int>(*m_model.session().scene.entries.placeOf(name)) + places;
+  if (to >= 0)
+    moveTo(name, static_cast<std::size_t>(to));
+}
+
+void EntryEdits::moveTo(const std::string &name, std::size_t place) {
   const auto &entries = m_model.session().scene.entries;
-  const int to = static_cast<int>(*entries.placeOf(name)) + places;
-  if (to >= 0 && to < static_cast<int>(entries.size()))
-    edit({MoveEntry{name, static_cast<std::size_t>(to)}}, tr("Move %1 in the list").arg(text(name)));
+  const std::size_t to = std::min(place, entries.size() - 1);
+  if (to != entries.placeOf(name))
+    edit({MoveEntry{name, to}}, tr("Move %1 in the list").arg(text(name)));
 }
 
 bool EntryEdits::changeLook(const Entry &changed, const QString &description) {
@@ -102,9 +108,24 @@ void EntryEdits::setColor(const std::string &name, std::optional<Hue> color) {
   changeLook(entry, tr("Colour %1").arg(text(name)));
 }
 
-void EntryEdits::setLabelHidden(const std::string &name, bool hidden) {
-  edit({hideLabel(m_model.session().scene, name, hidden)},
-       (hidden ? tr("Hide the label of %1") : tr("Show the label of %1")).arg(text(name)));
+void EntryEdits::setLine(const std::string &name, std::optional<LineStyle> line) {
+  Entry entry = entryNamed(name);
+  entry.line = line;
+  changeLook(entry, tr("Lines of %1").arg(text(name)));
+}
+
+void EntryEdits::setLabel(const std::string &name, std::optional<LabelText> label) {
+  const Scene &scene = m_model.session().scene;
+  Entry entry = entryNamed(name);
+  entry.label = label;
+  std::vector<Edit> edits{ReplaceEntry{name, entry}};
+  if (isLabelHidden(scene.labels, name))
+    edits.emplace_back(hideLabel(scene, name, false));
+  edit(edits, tr("Label of %1").arg(text(name)));
+}
+
+void EntryEdits::hideLabelOf(const std::string &name) {
+  edit({hideLabel(m_model.session().scene, name, true)}, tr("Hide the label of %1").arg(text(name)));
 }
 
 } // namespace halfspace

@@ -23,12 +23,17 @@ public:
   void remove(const std::vector<std::string> &ids);
   /// By so many places, down or up.
   void move(const std::string &name, int places);
+  /// So that so many entries stand above it; at most below all others.
+  void moveTo(const std::string &name, std::size_t place);
   void setHidden(const std::string &name, bool hidden);
   void setLocked(const std::string &name, bool locked);
   /// Nothing: the scene decides.
   void setColor(const std::string &name, std::optional<Hue> color);
+  void setLine(const std::string &name, std::optional<LineStyle> line);
+  /// What its labels say; one of its own mark that was hidden is seen again. Nothing: the scene decides.
+  void setLabel(const std::string &name, std::optional<LabelText> text);
   /// Of the entry's own mark.
-  void setLabelHidden(const std::string &name, bool hidden);
+  void hideLabelOf(const std::string &name);
 
 signals:
   void told(const QString &sentence); ///< why something is refused, or what was done besides

@@ -38,6 +38,15 @@ QString titleOf(Hue hue) {
   return EntryList::tr("Red");
 }
 
+/// An item of a menu that shows what is chosen.
+template <class Slot> QAction &addChoice(QMenu &menu, const QString &text, bool isChosen, Slot slot) {
+  QAction &choice = *menu.addAction(text);
+  choice.setCheckable(true);
+  choice.setChecked(isChosen);
+  QObject::connect(&choice, &QAction::triggered, &menu, slot);
+  return choice;
+}
+
 } // namespace
 
 EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits &edits, QWidget *parent)
@@ -50,6 +59,7 @@ EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits 
   setUniformRowHeights(true);
   setSelectionMode(ExtendedSelection);
   setEditTriggers(EditKeyPressed);
+  setDragDropMode(InternalMove);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(QHeaderView::Stretch);
   header()->setSectionResizeMode(EntryRows::Name, QHeaderView::ResizeToContents);
@@ -62,6 +72,8 @@ EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits 
   });
   connect(m_rows, &EntryRows::hiddenChosen, &edits,
           [&edits](const QString &name, bool hidden) { edits.setHidden(name.toStdString(), hidden); });
+  connect(m_rows, &EntryRows::dragged, &edits,
+          [&edits](const QString &name, std::size_t place) { edits.moveTo(name.toStdString(), place); });
 }
 
 void EntryList::setTheme(const Theme &theme) {
@@ -147,7 +159,9 @@ void EntryList::fillMenu(QMenu &menu) {
     menu.addAction(tr("&Edit as a Line"), this, [this, place] { askForLine(place); });
     menu.addAction(tr("&Rename"), this, [this, place] { edit(place); });
     addToggles(menu, *entry);
+    addLabelMenu(menu, *entry);
     addColorMenu(menu, *entry);
+    addLineMenu(menu, *entry);
     emit menuShown(menu, QString::fromStdString(name));
     menu.addAction(tr("Move &Up"), &m_edits, [this, name] { m_edits.move(name, -1); });
     menu.addAction(tr("Move &Down"), &m_edits, [this, name] { m_edits.move(name, 1); });
@@ -160,18 +174,27 @@ void EntryList::addToggles(QMenu &menu, const Entry &entry) {
   if (!isDrawn(entry))
     return;
   const std::string name = entry.name;
-  const auto add = [&menu, this](const QString &text, bool isOn, auto slot) {
-    QAction *toggle = menu.addAction(text);
-    toggle->setCheckable(true);
-    toggle->setChecked(isOn);
-    connect(toggle, &QAction::triggered, &m_edits, slot);
-  };
-  add(tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
-  if (kindOf(entry)) // the marks of a construction have names of their own
-    add(tr("La&bel"), !isLabelHidden(m_model.session().scene.labels, name),
-        [this, name](bool on) { m_edits.setLabelHidden(name, !on); });
+  addChoice(menu, tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
   if (std::holds_alternative<Object>(entry.content))
-    add(tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
+    addChoice(menu, tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
+}
+
+void EntryList::addLabelMenu(QMenu &menu, const Entry &entry) {
+  if (!isDrawn(entry))
+    return;
+  QMenu &labels = *menu.addMenu(tr("La&bel"));
+  labels.setObjectName("labelMenu");
+  const std::string name = entry.name;
+  const bool isHidden = isLabelHidden(m_model.session().scene.labels, name);
+  const auto add = [&](const QString &text, std::optional<LabelText> label) {
+    addChoice(labels, text, !isHidden && entry.label == label,
+              [this, name, label] { m_edits.setLabel(name, label); });
+  };
+  add(tr("&Automatic"), {});
+  add(tr("&Name"), LabelText::Name);
+  add(tr("Name and &Value"), LabelText::Value);
+  if (kindOf(entry)) // the marks of a construction have names of their own
+    addChoice(labels, tr("N&one"), isHidden, [this, name] { m_edits.hideLabelOf(name); });
 }
 
 void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
@@ -180,16 +203,30 @@ void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
   QMenu &colors = *menu.addMenu(tr("&Colour"));
   const std::string name = entry.name;
   const auto add = [&](const QString &text, const QIcon &icon, std::optional<Hue> hue) {
-    QAction *choice = colors.addAction(icon, text);
-    choice->setCheckable(true);
-    choice->setChecked(entry.color == hue);
-    connect(choice, &QAction::triggered, &m_edits, [this, name, hue] { m_edits.setColor(name, hue); });
+    addChoice(colors, text, entry.color == hue, [this, name, hue] {
+      m_edits.setColor(name, hue);
+    }).setIcon(icon);
   };
   add(tr("Automatic"), {}, {});
   for (std::size_t i = 0; i < hueCount; ++i) {
     const auto hue = static_cast<Hue>(i);
     add(titleOf(hue), swatchOf(toQColor(m_theme.colorOf(hue))), hue);
   }
+}
+
+void EntryList::addLineMenu(QMenu &menu, const Entry &entry) {
+  if (!kindOf(entry) || !isDrawn(entry))
+    return;
+  QMenu &lines = *menu.addMenu(tr("&Lines"));
+  lines.setObjectName("lineMenu");
+  const std::string name = entry.name;
+  const auto add = [&](const QString &text, std::optional<LineStyle> line) {
+    addChoice(lines, text, entry.line == line, [this, name, line] { m_edits.setLine(name, line); });
+  };
+  add(tr("&Automatic"), {});
+  add(tr("&Solid"), LineStyle::Solid);
+  add(tr("&Dashed"), LineStyle::Dashed);
+  add(tr("D&otted"), LineStyle::Dotted);
 }
 
 } // namespace halfspace

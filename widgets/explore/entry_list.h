@@ -14,8 +14,8 @@ namespace halfspace {
 class SceneSelection;
 
 /// Shows the rows of a scene, shares its selection, and hands on what is done in it: a double click or Enter
-/// asks for the line of an entry, F2 for another name, Delete takes away, Alt with an arrow moves; the rest
-/// stands in the menu of the right button.
+/// asks for the line of an entry, F2 for another name, Delete takes away, Alt with an arrow and dragging a
+/// row move; the rest stands in the menu of the right button.
 class EntryList : public QTreeView {
   Q_OBJECT
 public:
@@ -40,8 +40,10 @@ private:
   [[nodiscard]] std::vector<std::string> selectedEntries() const;
   [[nodiscard]] std::string currentEntry() const; ///< empty where none is
   void askForLine(const QModelIndex &index);
-  void addColorMenu(QMenu &menu, const Entry &entry);
   void addToggles(QMenu &menu, const Entry &entry);
+  void addLabelMenu(QMenu &menu, const Entry &entry);
+  void addColorMenu(QMenu &menu, const Entry &entry);
+  void addLineMenu(QMenu &menu, const Entry &entry);
 
   SessionModel &m_model;
   SceneSelection &m_selection;

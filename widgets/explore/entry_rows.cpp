@@ -8,6 +8,8 @@
 #include "widgets/explore/swatch.h"
 #include "widgets/picture/theme.h"
 
+#include <QMimeData>
+
 #include <algorithm>
 
 namespace halfspace {
@@ -15,6 +17,8 @@ namespace {
 
 /// What an entry makes stands below it, a little to the right.
 constexpr const char *indent = "    ";
+
+constexpr const char *entryMimeType = "application/x-halfspace-entry";
 
 bool isMade(const std::string &id) { return id.find('.') != std::string::npos; }
 
@@ -138,8 +142,13 @@ QVariant EntryRows::headerData(int section, Qt::Orientation orientation, int rol
 }
 
 Qt::ItemFlags EntryRows::flags(const QModelIndex &index) const {
+  if (!index.isValid())
+    return Qt::ItemIsDropEnabled; // between the rows
   Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
-  if (index.isValid() && index.column() == Name && !isMade(idIn(index.row())))
+  if (isMade(idIn(index.row())))
+    return flags;
+  flags |= Qt::ItemIsDragEnabled;
+  if (index.column() == Name)
     flags |= Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
   return flags;
 }
@@ -151,6 +160,31 @@ bool EntryRows::setData(const QModelIndex &index, const QVariant &value, int rol
   else if (role == Qt::EditRole && value.toString() != name)
     emit renamed(name, value.toString().trimmed());
   return false; // the row follows the scene
+}
+
+QStringList EntryRows::mimeTypes() const { return {entryMimeType}; }
+
+QMimeData *EntryRows::mimeData(const QModelIndexList &indexes) const {
+  if (indexes.isEmpty())
+    return nullptr;
+  auto *data = new QMimeData; // it is the caller's
+  data->setData(entryMimeType, QByteArray::fromStdString(idIn(indexes.front().row())));
+  return data;
+}
+
+std::size_t EntryRows::entriesAbove(int row) const {
+  return static_cast<std::size_t>(
+      std::count_if(m_ids.begin(), m_ids.begin() + row, [](const std::string &id) { return !isMade(id); }));
+}
+
+bool EntryRows::dropMimeData(const QMimeData *data, Qt::DropAction, int row, int, const QModelIndex &) {
+  const std::string name = data->data(entryMimeType).toStdString();
+  const auto from = m_model.session().scene.entries.placeOf(name);
+  if (!from)
+    return false;
+  const std::size_t above = entriesAbove(row < 0 ? rowCount() : row); // below all rows there is no row
+  emit dragged(QString::fromStdString(name), *from < above ? above - 1 : above);
+  return false; // the rows follow the scene
 }
 
 } // namespace halfspace

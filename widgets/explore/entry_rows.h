@@ -34,13 +34,23 @@ public:
   /// A name is given by the user; the box before it says whether the entry is seen.
   bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
+  // A row is dragged by its entry's name; it is dropped between rows.
+  [[nodiscard]] QStringList mimeTypes() const override;
+  [[nodiscard]] QMimeData *mimeData(const QModelIndexList &indexes) const override;
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  bool dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int column,
+                    const QModelIndex &parent) override;
+
 signals:
   void renamed(const QString &name, const QString &newName);
   void hiddenChosen(const QString &name, bool hidden);
+  void dragged(const QString &name, std::size_t place); ///< so many entries are to stand above it
 
 private:
   void takeScene();
   [[nodiscard]] const Entry *entryIn(int row) const; ///< null for what an entry makes
+  /// How many entries have their rows above this one.
+  [[nodiscard]] std::size_t entriesAbove(int row) const;
   [[nodiscard]] QString textIn(const QModelIndex &index) const;
   [[nodiscard]] QString tipIn(int row) const;
   [[nodiscard]] QVariant swatchIn(int row) const;

@@ -45,7 +45,7 @@ Drawing flatDrawingOf(const SceneContent &content, const Theme &theme, const Vie
   thinner.lineScale *= penPerTube;
   for (const FlatShape &shape : flatShapes(content, thinner, view))
     drawing.parts.emplace_back(partOf(shape, scale));
-  const auto labels = LabelPage().place(labelTexts(content, {}, theme, view),
+  const auto labels = LabelPage().place(writtenLabels(content, {}, theme, view),
                                         obstaclesOf(content, std::nullopt, theme, view), set, view);
   append(drawing.parts, labelParts(shapesOf(labels, theme.mutedInk, leaderWidth * view.pixelRatio), scale));
   return drawing;

@@ -1,6 +1,7 @@
 #include "widgets/picture/composer.h"
 
 #include "widgets/picture/design_scale.h"
+#include "widgets/picture/drop_lines.h"
 #include "widgets/picture/hand/label_hand.h"
 #include "widgets/picture/hand/mark_picker.h"
 #include "widgets/picture/screen_shapes.h"
@@ -45,6 +46,8 @@ void Composer::setBackgroundVisible(bool visible) { m_isBackgroundVisible = visi
 
 void Composer::setContent(SceneContent content) {
   m_content = std::move(content);
+  if (m_content.shown.dropLines && m_content.stage.hasGround())
+    addDropLines(m_content.figure);
   m_changes.content = true;
 }
 
@@ -175,7 +178,7 @@ void Composer::composeLabels() {
   std::vector<AxisLabel> ofAxes;
   if (m_worked.axes)
     ofAxes = axisLabels(*m_worked.axes, m_view.camera, m_content.stage.exponent, scale());
-  const auto labels = m_page.place(labelTexts(m_content, ofAxes, m_theme, m_view),
+  const auto labels = m_page.place(writtenLabels(m_content, ofAxes, m_theme, m_view),
                                    obstaclesOf(m_content, m_worked.axes, m_theme, m_view), m_set, m_view);
   put(Layer::Labels, shapesOf(labels, m_theme.mutedInk, leaderWidth * m_view.pixelRatio));
 }

@@ -67,7 +67,7 @@ void FlatPainter::paint(QPainter &painter, const SceneContent &content, const Th
   painter.setRenderHint(QPainter::Antialiasing);
   for (const FlatShape &shape : flatShapes(content, theme, view))
     paintShape(painter, shape);
-  const auto texts = labelTexts(content, {}, theme, view);
+  const auto texts = writtenLabels(content, {}, theme, view);
   for (const LabelOnPage &label :
        m_page.place(texts, obstaclesOf(content, std::nullopt, theme, view), m_set, view))
     paintLabel(painter, label, *m_typesetter.picture(label.formula));

@@ -170,7 +170,7 @@ Figure draw(const Out &at) {
   addMadePlane(figure, at, "G", at.G.terms);
   if (!at.areCrossing)
     return figure;
-  addMadePlane(figure, at, "H", at.H.terms, {{}, 1});
+  addMadePlane(figure, at, "H", at.H.terms, Look{.rank = 1});
   figure.add(LineMark{{at.v->mark, Role::Helper, Subject::Ray}, point, unitOf(vectorOf(at.v))});
   figure.reaches = {{at.in.E.id, point}, {at.in.F.id, point}};
   return figure;

@@ -11,8 +11,11 @@ namespace {
 
 std::vector<Mark> draw(const Given<Object> &given) {
   std::vector<Mark> marks;
-  if (!isZero(given.object[1]))
-    marks.push_back(arrowMark(given, 1, Subject::Neutral));
+  if (!isZero(given.object[1])) {
+    ArrowMark arrow = arrowMark(given, 1, Subject::Neutral);
+    arrow.coordinates = writtenVector(coordinateTerm(given, 1));
+    marks.push_back(std::move(arrow));
+  }
   PointMark start = pointMark(given, 0, Subject::Neutral);
   start.label.clear(); // the vector is the same wherever it starts
   marks.push_back(std::move(start));

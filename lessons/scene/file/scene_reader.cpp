@@ -180,7 +180,7 @@ RoleObjects readRole(const DocumentNode &role, FieldReader &fields) {
 }
 
 ConstructionUse readUse(FieldReader &fields) {
-  fields.allowOnly({"name", "construction", "of", hiddenField});
+  fields.allowOnly({"name", "construction", "of", labelField, hiddenField});
   ConstructionUse use;
   use.id = fields.text("construction");
   const DocumentNode *roles = fields.required("of");
@@ -211,23 +211,36 @@ void complainOfKind(const DocumentNode &node, FieldReader &fields) {
   fields.complain(node, fields.pathOf(""), sentence);
 }
 
-/// Reads the colour that an object is to have; nothing where none is said.
-std::optional<Hue> readColor(FieldReader &fields) {
-  const DocumentNode *node = fields.optional(colorField);
+/// Reads one of several names, which `find` knows; nothing where the field is not there.
+template <class Named>
+std::optional<Named> readOneOf(FieldReader &fields, const char *field,
+                               std::optional<Named> (*find)(std::string_view),
+                               const std::vector<std::string> &known) {
+  const DocumentNode *node = fields.optional(field);
   if (!node)
     return {};
-  const auto hue = node->kind == DocumentNode::Kind::Text ? findHue(node->text) : std::nullopt;
-  if (!hue) {
-    const std::vector<std::string> known = hueNames();
+  const auto named = node->kind == DocumentNode::Kind::Text ? find(node->text) : std::nullopt;
+  if (!named) {
     std::string list;
     for (const std::string &name : known)
       list += (list.empty() ? "" : ", ") + name;
-    fields.complain(*node, fields.pathOf(colorField),
-                    withGuess(words("“{text}” is not a colour: it is one of {colors}.",
-                                    {{"text", shortened(node->text)}, {"colors", list}}),
+    fields.complain(*node, fields.pathOf(field),
+                    withGuess(words("“{text}” is none of these: {known}.",
+                                    {{"text", shortened(node->text)}, {"known", list}}),
                               node->text, known));
   }
-  return hue;
+  return named;
+}
+
+/// Reads how an object is drawn; of a construction, what its marks say, and whether they are seen.
+void readLook(FieldReader &fields, Entry &entry) {
+  if (kindOf(entry)) {
+    entry.color = readOneOf<Hue>(fields, colorField, findHue, hueNames());
+    entry.line = readOneOf<LineStyle>(fields, lineField, findLineStyle, lineStyleNames());
+    entry.isLocked = fields.truth(lockedField, false);
+  }
+  entry.label = readOneOf<LabelText>(fields, labelField, findLabelText, labelTextNames());
+  entry.isHidden = fields.truth(hiddenField, false);
 }
 
 /// Reads one entry into `fields`' problem or an entry.
@@ -236,12 +249,12 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isN
   entry.name = fields.text("name");
   if (fields.optional("construction")) {
     entry.content = readUse(fields);
-    entry.isHidden = fields.truth(hiddenField, false);
+    readLook(fields, entry);
     return entry;
   }
   for (const Kind &kind : kinds())
     if (const DocumentNode *coordinates = fields.optional(kind.word)) {
-      fields.allowOnly({"name", kind.word, colorField, hiddenField, lockedField});
+      fields.allowOnly({"name", kind.word, colorField, lineField, labelField, hiddenField, lockedField});
       if (followsOthers(*coordinates, kind)) {
         entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind, isName);
       } else {
@@ -249,9 +262,7 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isN
         readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
         entry.content = object;
       }
-      entry.color = readColor(fields);
-      entry.isHidden = fields.truth(hiddenField, false);
-      entry.isLocked = fields.truth(lockedField, false);
+      readLook(fields, entry);
       return entry;
     }
   complainOfKind(node, fields);

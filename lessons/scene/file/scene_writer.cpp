@@ -66,6 +66,10 @@ Json jsonOf(const Entry &entry) {
   json.update(contentJson(entry));
   if (entry.color)
     json[colorField] = nameOf(*entry.color);
+  if (entry.line)
+    json[lineField] = nameOf(*entry.line);
+  if (entry.label)
+    json[labelField] = nameOf(*entry.label);
   if (entry.isHidden)
     json[hiddenField] = true;
   if (entry.isLocked)

@@ -57,9 +57,7 @@ private:
     }
     for (const Mark &mark : withoutNumbers(m_shown.figure).marks) {
       EXPECT_FALSE(tells(baseOf(mark).label + baseOf(mark).numbers, answer)) << baseOf(mark).id;
-      if (const auto *point = std::get_if<PointMark>(&mark)) {
-        EXPECT_EQ(point->coordinates, "") << point->id;
-      }
+      EXPECT_EQ(baseOf(mark).coordinates, "") << baseOf(mark).id;
     }
   }
 

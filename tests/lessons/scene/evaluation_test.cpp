@@ -287,6 +287,32 @@ TEST(FigureOf, AScene_HasNoLabelsThatSomebodyHasHidden_AndAllItsMarks) {
   EXPECT_EQ(std::get<PointMark>(*findMark(figure, "Q")).coordinates, "");
 }
 
+TEST(FigureOf, AnEntryWithALabelOfItsOwn_SaysItsNameAlone_OrItsCoordinatesToo) {
+  Scene scene = distanceScene();
+  const Evaluation before = evaluate(scene);
+  const auto say = [&](const char *name, LabelText text) {
+    scene.entries.change(*scene.entries.placeOf(name), [&](Entry &entry) { entry.label = text; });
+  };
+  say("E", LabelText::Name);
+  say("Q", LabelText::Value);
+  const Figure figure = figureOf(evaluate(scene, before));
+  const auto base = [&](const char *id) { return baseOf(*findMark(figure, id)); };
+  EXPECT_NE(baseOf(*findMark(figureOf(before), "E")).numbers, "");
+  EXPECT_EQ(base("E").numbers, "");
+  EXPECT_EQ(base("E.P0").coordinates, "");
+  EXPECT_EQ(base("Q").numbers, "{(11,15,8)}");
+  EXPECT_EQ(base("Q").coordinates, "") << "they would stand there twice";
+}
+
+TEST(FigureOf, AnEntryInAnotherLineStyle_IsDrawnInIt_WhereNothingElseHasChanged) {
+  Scene scene = distanceScene();
+  const Evaluation before = evaluate(scene);
+  scene.entries.change(*scene.entries.placeOf("E"), [](Entry &entry) { entry.line = LineStyle::Dotted; });
+  const Evaluation after = evaluate(scene, before);
+  EXPECT_EQ(baseOf(*findMark(figureOf(after), "E")).look.line, LineStyle::Dotted);
+  EXPECT_EQ(baseOf(*findMark(figureOf(after), "Q")).look.line, std::nullopt);
+}
+
 TEST(Figure, OfAHiddenEntry_HasNothingOfIt_AndOthersGoOnToLookAtIt) {
   Scene scene = distanceScene();
   const Evaluation seen = evaluate(scene);

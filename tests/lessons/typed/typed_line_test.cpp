@@ -53,6 +53,10 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   const Entry looking = typed({"Q = (1, 2, 3), locked, green, hidden"}).entries[0];
   EXPECT_TRUE(looking.isHidden && looking.isLocked && looking.color == Hue::Green);
   EXPECT_EQ(lineFor(looking), "Q = (1, 2, 3), green, hidden, locked");
+  const Entry labelled = typed({"g = (1, 2, 3) + t(4, 5, 6), value, dotted"}).entries[0];
+  EXPECT_EQ(labelled.line, LineStyle::Dotted);
+  EXPECT_EQ(labelled.label, LabelText::Value);
+  EXPECT_EQ(lineFor(labelled), "g = (1, 2, 3) + t(4, 5, 6), dotted, value");
 }
 
 TEST(TypedLine, WithNamesInIt_FollowsThem) {

@@ -28,8 +28,8 @@ template <class MarkKind> MarkKind labelled(MarkKind mark, const std::string &id
   return mark;
 }
 
-std::vector<LabelText> textsOf(const SceneContent &content, const View &view = usualView()) {
-  return labelTexts(content, {}, theme(), view);
+std::vector<WrittenLabel> textsOf(const SceneContent &content, const View &view = usualView()) {
+  return writtenLabels(content, {}, theme(), view);
 }
 
 std::vector<LabelAnchor> anchorsFor(const Mark &mark, const View &view = usualView()) {
@@ -148,7 +148,7 @@ TEST(LabelTexts, OnFinerScreensAndInLargerType_AreLarger) {
   content.figure.marks = {labelled(pointAt({2, 2, 2}), "P", "P")};
   Theme large = theme();
   large.textScale = 1.5;
-  EXPECT_DOUBLE_EQ(labelTexts(content, {}, large, usualView(2)).front().style.pixelSize, 3 * markTextSize);
+  EXPECT_DOUBLE_EQ(writtenLabels(content, {}, large, usualView(2)).front().style.pixelSize, 3 * markTextSize);
 }
 
 TEST(LabelTexts, OfADropLine_StandAtTheAxesAndGoAwayWithIt) {
@@ -159,7 +159,7 @@ TEST(LabelTexts, OfADropLine_StandAtTheAxesAndGoAwayWithIt) {
   EXPECT_EQ(texts[0].latex, "5");
   EXPECT_EQ(texts[1].latex, "3");
   EXPECT_LT(glm::distance(texts[1].anchors.front().pixel, pixelOf({0, 3, 0})), 1e-6);
-  for (const LabelText &text : texts) {
+  for (const WrittenLabel &text : texts) {
     EXPECT_EQ(text.style.ink, theme().accent);
     EXPECT_EQ(text.stand, LabelStand::Passing);
   }
@@ -248,7 +248,7 @@ TEST(Obstacles, WhatFliesBy_IsNone_AndItsLabelPasses) {
 TEST(Obstacles, WithAHandleSelected_LeaveAllLabelsWhereTheyAre) {
   const auto placesIn = [](const SceneContent &content) {
     std::vector<LabelRequest> requests;
-    for (const LabelText &text : textsOf(content))
+    for (const WrittenLabel &text : textsOf(content))
       requests.push_back({text.id, {40, 24}, text.anchors, text.stand});
     std::map<std::string, glm::dvec2> places;
     LabelLayout layout;

@@ -8,7 +8,7 @@ namespace {
 const LabelStyle style{{0, 0, 0}, {255, 255, 255}, 20};
 const View view{{}, {800, 600}, 1};
 
-LabelText labelAt(const std::string &id, const std::string &latex, glm::dvec2 pixel) {
+WrittenLabel labelAt(const std::string &id, const std::string &latex, glm::dvec2 pixel) {
   return {id, latex, style, {{pixel, {1, -1}, 9}}};
 }
 
@@ -62,7 +62,7 @@ TEST(LabelSetter, OfTheSameLatex_GivesTheSameFormula_ForAsLongAsItIsInUse) {
 TEST(LabelSetter, OfWhatIsNoLatex_SetsItsSource) { EXPECT_FALSE(vectorsOnly()("\\frac{a")->glyphs.empty()); }
 
 TEST(LabelShapes, AreLeadersUnderLabels_AndNameTheirMarks) {
-  LabelText mark = labelAt("Q", "Q", {400, 300});
+  WrittenLabel mark = labelAt("Q", "Q", {400, 300});
   mark.isMark = true;
   std::vector<LabelOnPage> page =
       LabelPage().place({mark, labelAt("tick", "5", {100, 500})}, {}, vectorsOnly(), view);

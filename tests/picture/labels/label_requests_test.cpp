@@ -15,13 +15,13 @@ View viewAtHeight(double height) {
   return {Camera(from), {900, 440}, 1};
 }
 
-std::vector<LabelText> axisTexts(const View &view) {
-  return labelTexts({}, axisLabels({}, view.camera, 0, 1), themes().front(), view);
+std::vector<WrittenLabel> axisTexts(const View &view) {
+  return writtenLabels({}, axisLabels({}, view.camera, 0, 1), themes().front(), view);
 }
 
 TEST(LabelRequests, NumbersAtTheAxes_ArePinnedBesideTheirTicks) {
   const auto texts = axisTexts(viewAtHeight(21));
-  const auto numbers = std::count_if(texts.begin(), texts.end(), [](const LabelText &text) {
+  const auto numbers = std::count_if(texts.begin(), texts.end(), [](const WrittenLabel &text) {
     return text.stand == LabelStand::Pinned && text.anchors.size() == 1;
   });
   EXPECT_EQ(numbers, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
@@ -35,19 +35,19 @@ TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem)
     content.figure.marks.push_back(point);
   }
   content.highlighted = {"P999"};
-  const auto texts = labelTexts(content, {}, themes().front(), viewAtHeight(60));
+  const auto texts = writtenLabels(content, {}, themes().front(), viewAtHeight(60));
   EXPECT_EQ(texts.size(), mostMarkLabels);
   EXPECT_TRUE(
-      std::any_of(texts.begin(), texts.end(), [](const LabelText &text) { return text.id == "P999"; }));
+      std::any_of(texts.begin(), texts.end(), [](const WrittenLabel &text) { return text.id == "P999"; }));
 }
 
 TEST(LabelRequests, NumbersOfAMarkWithoutALetter_StandBesideItAlone) {
   PointMark point = withId(pointAt({1, 2, 3}), "Q");
   SceneContent content;
   content.figure.marks.push_back(point);
-  EXPECT_TRUE(labelTexts(content, {}, themes().front(), viewAtHeight(21)).empty());
+  EXPECT_TRUE(writtenLabels(content, {}, themes().front(), viewAtHeight(21)).empty());
   content.figure.marks.change(0, [](Mark &mark) { baseOf(mark).numbers = "+"; });
-  EXPECT_EQ(labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().latex, "+");
+  EXPECT_EQ(writtenLabels(content, {}, themes().front(), viewAtHeight(21)).front().latex, "+");
 }
 
 TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
@@ -56,7 +56,7 @@ TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
     point.label = "Q";
     SceneContent content;
     content.figure.marks.push_back(point);
-    return labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().anchors.front().clearance;
+    return writtenLabels(content, {}, themes().front(), viewAtHeight(21)).front().anchors.front().clearance;
   };
   EXPECT_GT(clearanceOf(Subject::Point), clearanceOf(Subject::Plane));
 }
@@ -67,7 +67,7 @@ TEST(LabelRequests, LabelWhereLinesAreThick_KeepsOffAsMuchFarther) {
   SceneContent content;
   content.figure.marks.push_back(point);
   const auto clearanceIn = [&](const Theme &theme) {
-    return labelTexts(content, {}, theme, viewAtHeight(21)).front().anchors.front().clearance;
+    return writtenLabels(content, {}, theme, viewAtHeight(21)).front().anchors.front().clearance;
   };
   Theme thick = themes().front();
   thick.lineScale = 1.5;
@@ -77,8 +77,8 @@ TEST(LabelRequests, LabelWhereLinesAreThick_KeepsOffAsMuchFarther) {
 TEST(LabelRequests, NamesOfTheAxes_GiveWay) {
   const auto texts = axisTexts(viewAtHeight(21));
   for (const char *name : {"x", "y", "z"}) {
-    const auto found =
-        std::find_if(texts.begin(), texts.end(), [&](const LabelText &text) { return text.latex == name; });
+    const auto found = std::find_if(texts.begin(), texts.end(),
+                                    [&](const WrittenLabel &text) { return text.latex == name; });
     ASSERT_NE(found, texts.end());
     EXPECT_EQ(found->stand, LabelStand::Beside);
     EXPECT_FALSE(found->anchors.empty());
@@ -95,7 +95,7 @@ TEST(LabelRequests, LabelOfAnArc_StandsBesideTheArc) {
   SceneContent content;
   content.figure.marks.push_back(arc);
   const View view = viewAtHeight(21);
-  const auto texts = labelTexts(content, {}, themes().front(), view);
+  const auto texts = writtenLabels(content, {}, themes().front(), view);
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_EQ(texts.front().anchors.size(), 3U);
 }

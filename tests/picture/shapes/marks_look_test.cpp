@@ -82,6 +82,19 @@ TEST(Lines, OfFurtherObjects_AreInLongDashes_EachInItsOwn) {
   EXPECT_EQ(parts.size(), 4U);
 }
 
+TEST(Lines, InAChosenStyle_AreDrawnInIt_WhateverTheirRank) {
+  SegmentMark line = segmentOf(Role::Given);
+  line.look.rank = 2;
+  std::set<Rhythm> rhythms{rhythmOf(line, 1), rhythmOf(segmentOf(Role::Helper), 1)};
+  for (const LineStyle style : {LineStyle::Dashed, LineStyle::Dotted}) {
+    line.look.line = style;
+    rhythms.insert(rhythmOf(line, 1));
+  }
+  EXPECT_EQ(rhythms.size(), 4U);
+  line.look.line = LineStyle::Solid;
+  EXPECT_TRUE(rhythmOf(line, 1).empty());
+}
+
 TEST(Lines, OfAHelperOfAFurtherObject_AreDashedAsThoseOfHelpers) {
   SegmentMark line = segmentOf(Role::Helper);
   line.look.rank = 2;
@@ -163,9 +176,9 @@ TEST(Arrows, ThatAreTheSameToTheEye_HaveATipEach_HoweverShortAndHoweverMany) {
 
 TEST(Arrows, ThatAreDashed_AreAroundWholeOnesThatAreTheSame) {
   ArrowMark dashed = upArrow("a", 8);
-  dashed.look = {Hue::Orange, 1};
+  dashed.look = {.hue = Hue::Orange, .rank = 1};
   ArrowMark whole = upArrow("b", 8);
-  whole.look = {Hue::Blue, 0};
+  whole.look = {.hue = Hue::Blue};
   const Mesh mesh = solidMesh({{dashed, whole}}, {}, theme(), 1);
   const auto ofColor = [&](Hue hue) {
     Mesh part;

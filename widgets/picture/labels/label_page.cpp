@@ -24,7 +24,7 @@ glm::dvec2 offsetOf(const LabelSpot &spot, double em, glm::dvec2 extent) {
   return spot.offset * em;
 }
 
-LabelRequest requestFor(const LabelText &text, glm::dvec2 extent) {
+LabelRequest requestFor(const WrittenLabel &text, glm::dvec2 extent) {
   LabelRequest request{text.id, extent, text.anchors, text.stand, text.owner, text.row};
   if (text.spot && text.own) {
     request.anchors = {*text.own};
@@ -46,12 +46,12 @@ LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style) {
           margin + static_cast<int>(std::ceil(formula.ascent * em))};
 }
 
-std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
+std::vector<LabelOnPage> LabelPage::place(const std::vector<WrittenLabel> &texts,
                                           const LabelObstacles &obstacles, const LabelSetter &set,
                                           const View &view) {
   std::vector<LabelRequest> requests;
   std::unordered_map<std::string, LabelOnPage> byId;
-  for (const LabelText &text : texts) {
+  for (const WrittenLabel &text : texts) {
     LabelFormula formula = set(text.latex);
     if (formula->glyphs.empty() && formula->rules.empty())
       continue;

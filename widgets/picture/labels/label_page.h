@@ -9,7 +9,7 @@ namespace halfspace {
 
 /// A label that has its place.
 struct LabelOnPage {
-  LabelText text;
+  WrittenLabel text;
   LabelFormula formula;
   PlacedLabel place;
 };
@@ -18,7 +18,7 @@ struct LabelOnPage {
 /// Requires ids that stand once.
 class LabelPage {
 public:
-  [[nodiscard]] std::vector<LabelOnPage> place(const std::vector<LabelText> &texts,
+  [[nodiscard]] std::vector<LabelOnPage> place(const std::vector<WrittenLabel> &texts,
                                                const LabelObstacles &obstacles, const LabelSetter &set,
                                                const View &view);
 

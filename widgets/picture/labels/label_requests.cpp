@@ -186,9 +186,8 @@ bool isLabelled(const Mark &mark) { return !baseOf(mark).label.empty() || !baseO
 /// What is written beside a mark: its letter, with what is known of it.
 std::string textOf(const Mark &mark, const ShownParts &shown) {
   const MarkBase &base = baseOf(mark);
-  const auto *point = std::get_if<PointMark>(&mark);
-  const bool hasCoordinates = shown.coordinates && point && !base.label.empty();
-  return base.label + (hasCoordinates ? point->coordinates : "") + base.numbers;
+  const bool hasCoordinates = shown.coordinates && !base.label.empty();
+  return base.label + (hasCoordinates ? base.coordinates : "") + base.numbers;
 }
 
 /// The numbers of the marks whose labels are written.
@@ -308,9 +307,9 @@ private:
 
 } // namespace
 
-std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector<AxisLabel> &axes,
-                                  const Theme &theme, const View &view) {
-  std::vector<LabelText> texts;
+std::vector<WrittenLabel> writtenLabels(const SceneContent &content, const std::vector<AxisLabel> &axes,
+                                        const Theme &theme, const View &view) {
+  std::vector<WrittenLabel> texts;
   const double pixels = view.pixelRatio * theme.textScale;
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
@@ -334,9 +333,9 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
     const auto byHand = content.labels.find(base.id);
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
-    LabelText text{base.id, textOf(mark, content.shown), style(ink, markTextSize),
-                   anchorsOf(mark, outline, theme, view),
-                   base.passes ? LabelStand::Passing : LabelStand::Beside};
+    WrittenLabel text{base.id, textOf(mark, content.shown), style(ink, markTextSize),
+                      anchorsOf(mark, outline, theme, view),
+                      base.passes ? LabelStand::Passing : LabelStand::Beside};
     text.isMark = true;
     text.owner = number;
     text.opacity = content.arrival.presenceOf(base);

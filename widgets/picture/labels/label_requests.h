@@ -9,7 +9,7 @@
 namespace halfspace {
 
 /// A label before it has a picture.
-struct LabelText {
+struct WrittenLabel {
   std::string id; ///< of the mark, or a name of its own for ticks and notes
   std::string latex;
   LabelStyle style;
@@ -33,9 +33,9 @@ inline constexpr std::size_t mostMarkLabels = 150;
 /// The labels of a content: marks (those that stand out first, then in the figure's order, mostMarkLabels at
 /// most), the gizmo's note, the drop line's numbers, and those of the axes. Those of marks alone can be
 /// switched off (`ShownParts`), or stand where somebody has put them.
-[[nodiscard]] std::vector<LabelText> labelTexts(const SceneContent &content,
-                                                const std::vector<AxisLabel> &axes, const Theme &theme,
-                                                const View &view);
+[[nodiscard]] std::vector<WrittenLabel> writtenLabels(const SceneContent &content,
+                                                      const std::vector<AxisLabel> &axes, const Theme &theme,
+                                                      const View &view);
 
 /// The points and lines on the screen that labels keep clear of; not what flies by. The gizmo's stand apart:
 /// only what is there in passing keeps clear of them, and no label moves because a handle is selected.

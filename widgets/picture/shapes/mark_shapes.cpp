@@ -159,7 +159,12 @@ const std::array<Rhythm, 4> rhythmsOfRanks{
 /// told apart, so their dashes would cost time for nothing.
 constexpr std::size_t toldApart = std::tuple_size_v<decltype(rhythmsOfRanks)> * hueCount;
 
+/// Solid, dashed, dotted, where somebody has chosen: unlike the dashes of helpers and of further objects.
+const std::array<Rhythm, lineStyleCount> rhythmsOfStyles{{{}, {1.6, 1.0}, {0.35, 0.6}}};
+
 Rhythm ownRhythm(const Look &look) {
+  if (look.line)
+    return rhythmsOfStyles.at(static_cast<std::size_t>(*look.line));
   return look.rank < toldApart ? rhythmsOfRanks.at(look.rank % rhythmsOfRanks.size()) : Rhythm();
 }
 

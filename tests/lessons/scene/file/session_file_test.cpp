@@ -72,9 +72,21 @@ TEST(SessionFile, WhatIsHiddenOrLocked_IsKept_AndElseNotWritten) {
   problemOf(around(R"([{"name":"Q","hidden":"perhaps","point":[1,2,3]}])"));
 }
 
+TEST(SessionFile, LinesAndLabels_AreKept_AndElseNotWritten) {
+  Session session = startSession();
+  EXPECT_EQ(writeSession(session).find("\"label\""), std::string::npos);
+  session.scene.entries.change(0, [](Entry &entry) { entry.line = LineStyle::Dashed; });
+  session.scene.entries.change(2, [](Entry &entry) { entry.label = LabelText::Value; });
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(*again, session);
+  problemOf(around(R"([{"name":"Q","line":"wavy","point":[1,2,3]}])"));
+  problemOf(around(R"([{"name":"Q","label":"price","point":[1,2,3]}])"));
+}
+
 TEST(SessionFile, WithAColorThatIsNone_SaysWhichThereAre_AndGuesses) {
   const Problem problem = problemOf(around(R"([{"name":"Q","color":"purpel","point":[1,2,3]}])"));
-  EXPECT_TRUE(mentions(problem, "“purpel” is not a colour")) << problem.sentence;
+  EXPECT_TRUE(mentions(problem, "“purpel” is none of these")) << problem.sentence;
   EXPECT_TRUE(mentions(problem, "green, purple, pink")) << problem.sentence;
   EXPECT_TRUE(mentions(problem, "“purple”")) << problem.sentence;
   EXPECT_EQ(problem.field, "scene[0].color");
