@@ -141,7 +141,7 @@ void MainWindow::createExplore() {
           [this](const QString &sentence) { m_panels.messages().say(sentence); });
   scene.bar().setVisible(isExplore(m_model));
   const auto actions = menuBar()->actions();
-  auto *menu = new SceneMenu(m_model, m_files, *field, scene.view().objectHand(), menuBar());
+  auto *menu = new SceneMenu(m_model, m_files, *field, scene.view().objectHand(), m_meshes, menuBar());
   menuBar()->insertMenu(actions.at(actions.size() - 2), menu);
   auto *add = new QToolButton;
   add->setObjectName("addTool");

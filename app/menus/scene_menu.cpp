@@ -3,6 +3,7 @@
 #include "app/explore/field_presenter.h"
 #include "app/explore/go_on_in_explore.h"
 #include "app/menus/add_item.h"
+#include "app/work/scene_meshes.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/plane.h"
@@ -13,7 +14,7 @@
 namespace halfspace {
 
 SceneMenu::SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &field, ObjectHand &hand,
-                     QWidget *parent)
+                     SceneMeshes &meshes, QWidget *parent)
     : QMenu(tr("S&cene"), parent), m_model(model) {
   addItem(*this, tr("&Type or Find…"), QKeySequence("Ctrl+K"), &field, &FieldPresenter::open)
       ->setObjectName("typeOrFind");
@@ -22,6 +23,7 @@ SceneMenu::SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &f
   m_goOn->setObjectName("goOnInExplore");
   addTools(hand);
   addLines(field);
+  addItem(*m_add, tr("&Mesh…"), {}, &meshes, &SceneMeshes::askAndOpen)->setObjectName("add-mesh");
   const auto show = [this] {
     m_goOn->setEnabled(!isExplore(m_model));
     m_add->setEnabled(isExplore(m_model));

@@ -7,6 +7,7 @@ namespace halfspace {
 
 class FieldPresenter;
 class ObjectHand;
+class SceneMeshes;
 class SessionFiles;
 class SessionModel;
 
@@ -15,7 +16,7 @@ class SceneMenu : public QMenu {
 public:
   /// All must outlive it.
   SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &field, ObjectHand &hand,
-            QWidget *parent);
+            SceneMeshes &meshes, QWidget *parent);
 
   /// The tools by which objects are added.
   [[nodiscard]] QMenu &tools() { return *m_add; }

@@ -58,11 +58,12 @@ void SceneMeshes::openLessonWithMeshes() {
 }
 
 void SceneMeshes::take(const LoadedMesh &mesh) {
-  if (!takesMeshes(m_model.session().scene))
+  if (!isExplore(m_model) && !takesMeshes(m_model.session().scene))
     openLessonWithMeshes();
+  const Scene &scene = m_model.session().scene;
+  const auto edits = isExplore(m_model) ? editsForMesh(scene, mesh.shape) : editsForTarget(scene, mesh.shape);
   const QString refusal =
-      m_model.history().editTogether(editsForTarget(m_model.session().scene, mesh.shape),
-                                     tr("Open %1").arg(QString::fromStdString(mesh.name)));
+      m_model.history().editTogether(edits, tr("Open %1").arg(QString::fromStdString(mesh.name)));
   if (!refusal.isEmpty())
     return m_messages.complain(refusal);
   m_messages.say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
@@ -70,7 +71,7 @@ void SceneMeshes::take(const LoadedMesh &mesh) {
                           measuredText(mesh.size.x, sideDigits), measuredText(mesh.size.y, sideDigits),
                           measuredText(mesh.size.z, sideDigits)) +
                  leftOutWords(mesh) +
-                 (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
+                 (isTooLargeToWrite(Object(MeshObject{{}, {1, 0, 0}, 1, mesh.shape}))
                       ? " " + tr("Too large to be saved with the session.")
                       : QString()));
 }

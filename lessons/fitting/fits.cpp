@@ -2,6 +2,7 @@
 
 #include "lessons/construction/construction.h"
 #include "lessons/fitting/objects_between.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/fresh_names.h"
 #include "lessons/scene/scene_checker.h"
@@ -55,12 +56,25 @@ public:
       std::string name = m_names.ofKind(*derived.kind);
       found.push_back({{std::move(name), std::move(derived)}});
     }
+    if (m_selected.size() == 1)
+      addPointsOn(m_selected.front(), found);
     found.insert(found.end(), std::make_move_iterator(wanting.begin()),
                  std::make_move_iterator(wanting.end()));
     return found;
   }
 
 private:
+  /// The points that can lie on an object, where their kinds begin.
+  void addPointsOn(const SeenObject &host, std::vector<Fit> &found) const {
+    for (const Kind &kind : kinds()) {
+      if (!kind.binding || kind.binding->host != host.kind)
+        continue;
+      Object point(kind);
+      kind.settle(point);
+      found.push_back({{m_names.ofKind(kind), std::move(point), host.id}});
+    }
+  }
+
   [[nodiscard]] FilledUse filledUse(const Construction &construction) const {
     FilledUse filled{{std::string(construction.id), {}}};
     std::vector<SeenObject> left = m_selected;

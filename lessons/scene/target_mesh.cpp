@@ -2,8 +2,10 @@
 
 #include "geometry/decide.h"
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/reading/typed_number.h"
+#include "lessons/scene/fresh_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -92,6 +94,12 @@ ExactVec3 wayBeside(const MeshObject &mesh) {
 } // namespace
 
 bool takesMeshes(const Scene &scene) { return !meshListsIn(scene).empty(); }
+
+std::vector<Edit> editsForMesh(const Scene &scene, std::shared_ptr<const MeshShape> shape) {
+  const MeshObject mesh{ExactVec3(0), {1, 0, 0}, scaleOf(*shape), std::move(shape)};
+  const std::string name = FreshNames(scene).ofKind(*findKind(MeshObject::kind));
+  return {AddEntry{scene.entries.size(), {name, Object(mesh)}}};
+}
 
 std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape) {
   MeshObject mesh{firstPlace, {1, 0, 0}, scaleOf(*shape), std::move(shape)};

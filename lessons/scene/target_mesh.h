@@ -10,6 +10,11 @@
 
 namespace halfspace {
 
+/// The edits that put a mesh into a scene of its own names, scaled to the size of a barn, for nobody to look
+/// at yet: in the middle, as what somebody begins with. Requires a shape that is a point, or whose longest
+/// side is a tame double.
+[[nodiscard]] std::vector<Edit> editsForMesh(const Scene &scene, std::shared_ptr<const MeshShape> shape);
+
 /// What a learner's own mesh is called in the scene.
 inline constexpr const char *targetName = "target";
 

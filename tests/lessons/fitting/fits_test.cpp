@@ -169,6 +169,14 @@ TEST(Fits, OfPointsVectorsAndNumbers_HaveTheObjectsThatTheyTell) {
   EXPECT_EQ(kindsOf(fitsFor(scene, Ids{"A", "E"})), Ids());
 }
 
+TEST(Fits, OfWhatPointsCanLieOn_HaveAPointThere_ButNotOfSeveral) {
+  const Scene scene = playground();
+  EXPECT_EQ(kindsOf(fitsFor(scene, Ids{"E"})), (Ids{"point-on-plane"}));
+  for (const Fit &fit : fitsFor(scene, Ids{"E"})) {
+    EXPECT_EQ(fit.entry.on, kindOf(fit.entry) ? "E" : "");
+  }
+}
+
 TEST(Fits, OfPoints_AreTheObjectsThatAreTypedBetweenThem) {
   const Scene scene = playground();
   const auto checkTyped = [&](const Ids &points, const std::string &arguments) {

@@ -156,6 +156,15 @@ TEST(RemoveMesh, OfACopy_LeavesTheSceneAsItWas) {
   EXPECT_EQ(withAll(with, editsToRemoveMesh(with, copy->name)), scene);
 }
 
+TEST(MeshOfASceneOfOnesOwn, IsThereForNobodyYet_AndEachHasANameOfItsOwn) {
+  const auto shape = cornerOf(4);
+  const Scene one = withAll({}, editsForMesh({}, shape));
+  const Scene two = withAll(one, editsForMesh(one, shape));
+  ASSERT_EQ(two.entries.size(), 2U);
+  for (const Entry &entry : two.entries)
+    EXPECT_EQ(objectAs<MeshObject>(std::get<Object>(entry.content))->shape, shape);
+}
+
 TEST(RemoveMesh, TheOnlyOne_IsRefused) {
   const Scene scene = sceneWith(1);
   const Edit first = editsToRemoveMesh(scene, "m0").front();
