@@ -100,6 +100,7 @@ void WorkingPractice::refresh() {
   m_chooser->setToolTip(isWorkedOut ? tr("How much of the lines you work out yourself")
                                     : tr("No number is worked out here now."));
   m_newNumbers->setEnabled(!m_practice.isHidden());
+  m_chooser->setVisible(!m_practice.working().lines.empty());
   showChoice();
   m_blocks.setWorking(m_practice.working(), m_linesIn, m_practice.fade(), shown(m_practice.remarks()));
   showScore();

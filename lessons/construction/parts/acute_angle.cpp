@@ -5,9 +5,18 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
+#include <glm/geometric.hpp>
+
 #include <utility>
 
 namespace halfspace {
+namespace {
+
+/// A side of an angle is drawn no longer than this, in units of the picture: the cross product of two ways is
+/// a normal that would leave it.
+constexpr double longestSide = 6;
+
+} // namespace
 
 WorkingLine lengthLine(const Term &vector) {
   const WordValues letters{{"vector", plainText(vector)}};
@@ -39,7 +48,10 @@ void addAngle(Figure &figure, const Term &angle, const Place &corner, const Angl
     figure.add(ArcMark{std::move(base), corner, first.vector, second.vector});
   for (const auto &[which, side] : {std::pair("/first", first), std::pair("/second", second)}) {
     const MarkBase ghost{angle->mark + which, Role::Ghost, side.subject};
-    figure.add(inLook(side.look, ArrowMark{ghost, corner, side.vector, true}));
+    ArrowMark arrow{ghost, corner, side.vector, true};
+    if (glm::length(side.vector) > longestSide)
+      arrow.drawnLength = longestSide;
+    figure.add(inLook(side.look, std::move(arrow)));
   }
 }
 
