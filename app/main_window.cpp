@@ -101,7 +101,8 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *handouts = new HandoutExport(m_model, m_panels.typesetter(), m_panels.messages(), this);
   auto *animations = new AnimationExport(m_model, sceneView(), m_look, m_panels.messages(), this);
   auto *working = new WorkingCopy(m_panels.practice().working(), m_panels.messages(), this);
-  auto *paste = new ScenePaste(m_files, m_panels.messages(), this);
+  auto *paste = new ScenePaste(m_model, m_files, m_panels.messages(), this);
+  connect(paste, &ScenePaste::textPasted, &m_panels.scene().bar(), &EntryBar::linesPasted);
   auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);

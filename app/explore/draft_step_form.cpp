@@ -4,8 +4,10 @@
 #include "app/explore/draft_question_form.h"
 #include "app/explore/draft_task_form.h"
 #include "lessons/language.h"
+#include "lessons/lesson/entry_names.h"
 #include "lessons/typed/write_line.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -30,10 +32,15 @@ template <class Predicate> std::vector<CheckItem> entriesOf(const Scene &scene, 
 
 bool isConstruction(const Entry &entry) { return std::holds_alternative<ConstructionUse>(entry.content); }
 
-/// Something that can stand in braces.
-QString anyValue(const Scene &scene) {
-  const auto coordinates = coordinatesOf(scene);
-  return coordinates.empty() ? "Q" : QString::fromStdString(shortName(scene, coordinates.front()));
+/// All that can stand in braces: the coordinates of the scene, and what its constructions come to.
+QStringList valuesOf(const Scene &scene) {
+  QStringList names;
+  for (const CoordinateId &id : coordinatesOf(scene))
+    names << QString::fromStdString(shortName(scene, id));
+  for (const OfferedValue &value : comparableValues(scene))
+    if (const QString name = QString::fromStdString(value.name); !names.contains(name))
+      names << name;
+  return names;
 }
 
 } // namespace
@@ -69,9 +76,10 @@ DraftStepForm::DraftStepForm(const Evaluation &start)
 }
 
 QWidget *DraftStepForm::wordsPage(const Evaluation &start) {
+  const QStringList values = valuesOf(start.scene);
   auto *hint = new QLabel(tr("Markdown, with LaTeX between dollars, and live values in braces: {%1} is what "
                              "%1 is at the moment.")
-                              .arg(anyValue(start.scene)));
+                              .arg(values.value(0, "Q")));
   hint->setObjectName("wordsHint");
   hint->setWordWrap(true);
   m_words->setAccessibleName(tr("Words of the step"));
@@ -80,6 +88,18 @@ QWidget *DraftStepForm::wordsPage(const Evaluation &start) {
   auto *column = new QVBoxLayout(page);
   column->addWidget(m_words, 1);
   column->addWidget(hint);
+  auto *insert = new QComboBox;
+  insert->setObjectName("wordsValues");
+  insert->setAccessibleName(tr("A value for the words"));
+  insert->addItem(tr("Values"));
+  insert->addItems(values);
+  column->addWidget(insert, 0, Qt::AlignLeft);
+  connect(insert, qOverload<int>(&QComboBox::activated), this, [this, insert](int value) {
+    if (value > 0)
+      m_words->insertPlainText("{" + insert->itemText(value) + "}");
+    insert->setCurrentIndex(0);
+    m_words->setFocus();
+  });
   return page;
 }
 

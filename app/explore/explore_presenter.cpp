@@ -7,6 +7,7 @@
 #include "lessons/scene/object_of_mark.h"
 #include "widgets/explore/explore_panel.h"
 #include "widgets/explore/fits_box.h"
+#include "widgets/lesson/lesson_page.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/view/scene_view.h"
 
@@ -29,7 +30,12 @@ ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, Ma
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePresenter::takeScene);
   connect(&m_selection, &SceneSelection::changed, this, &ExplorePresenter::showSelection);
   connect(&view.input(), &SceneInput::clicked, this, &ExplorePresenter::choose);
-  connect(&view.handles(), &SceneHandles::selectionChanged, this, &ExplorePresenter::takeHandle);
+  connect(&view.handles(), &SceneHandles::selectionChanged, this, [this] {
+    // A click of the mouse is told by what it clicked on.
+    if (QGuiApplication::mouseButtons() == Qt::NoButton)
+      takeHandle();
+  });
+  connect(&model.history(), &SessionHistory::gestureEnded, this, &ExplorePresenter::takeHandle);
   connect(&panels.explore().list(), &EntryList::menuShown, this, &ExplorePresenter::addPin);
   connect(&panels.explore().fits(), &FitsBox::previewed, &view.drawn(), &DrawnFigure::setGhost);
   takeLesson();
@@ -84,9 +90,8 @@ void ExplorePresenter::choose(const QString &mark, bool adds) {
 }
 
 void ExplorePresenter::takeHandle() {
-  // A click of the mouse is told by what it clicked on.
   const auto selected = m_panels.scene().view().handles().selectedCoordinate();
-  if (selected && QGuiApplication::mouseButtons() == Qt::NoButton && !m_selection.contains(selected->object))
+  if (isExplore(m_model) && selected && !m_selection.contains(selected->object))
     m_selection.set({selected->object});
 }
 
@@ -136,17 +141,31 @@ void ExplorePresenter::selectHandle() {
 void ExplorePresenter::showWorkings() {
   if (!isExplore(m_model))
     return;
-  const Evaluation &evaluation = m_model.evaluation();
+  std::set<std::string> wanted = m_pinned;
+  for (const std::string &id : m_selection.ids())
+    wanted.insert(ownerOf(id));
   std::vector<std::string> shown;
-  for (const EvaluatedEntry &entry : evaluation.entries)
-    if (entry.isConstruction() &&
-        (m_pinned.contains(entry.name) ||
-         std::any_of(m_selection.ids().begin(), m_selection.ids().end(),
-                     [&](const std::string &id) { return ownerOf(id) == entry.name; })))
+  for (const EvaluatedEntry &entry : m_model.evaluation().entries)
+    if (wanted.contains(entry.name) && !entry.outcome->told->description.empty())
       shown.push_back(entry.name);
-  if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.empty())
-    shown.push_back(last->name);
+  if (const std::string last = lastOfInterest(); shown.empty() && !last.empty())
+    shown.push_back(last);
+  if (shown == m_shown)
+    return;
   m_model.showWorkings(shown);
+  m_shown = std::move(shown);
+  m_panels.page().showTop();
+}
+
+std::string ExplorePresenter::lastOfInterest() const {
+  const Evaluation &evaluation = m_model.evaluation();
+  std::string found;
+  for (const std::string &id : m_selection.ids())
+    for (const std::string &name : dependentsOf(m_model.session().scene, ownerOf(id)))
+      if (evaluation.find(name)->isConstruction())
+        found = name;
+  const EvaluatedEntry *last = evaluation.lastConstruction();
+  return last && m_selection.ids().empty() ? last->name : found;
 }
 
 void ExplorePresenter::addPin(QMenu &menu, const QString &name) {

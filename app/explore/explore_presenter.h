@@ -36,11 +36,17 @@ private:
   void takeEntries();
   /// Somebody has clicked on a mark of the picture; with `adds` what it is of comes to what is selected.
   void choose(const QString &mark, bool adds);
+  /// The object whose handle is selected, or was dragged.
   void takeHandle();
   void showSelection();
   void highlight();
   void selectHandle();
+  /// Of what is selected and of what is kept on the page, where there is something to tell; else of what
+  /// follows the selection.
   void showWorkings();
+  /// The last construction that looks at what is selected, or, where nothing is, the last one; empty for
+  /// none.
+  [[nodiscard]] std::string lastOfInterest() const;
   void addPin(QMenu &menu, const QString &name);
 
   SessionModel &m_model;
@@ -48,9 +54,10 @@ private:
   MarkHighlights &m_highlights;
   FieldPresenter &m_field;
   SceneSelection &m_selection;
-  std::set<std::string> m_pinned; ///< constructions whose working stays
-  std::size_t m_entries = 0;      ///< of the scene, when it was shown last
-  std::string m_last;             ///< the name of the last of them
+  std::set<std::string> m_pinned;   ///< constructions whose working stays
+  std::vector<std::string> m_shown; ///< the entries whose working is on the page
+  std::size_t m_entries = 0;        ///< of the scene, when it was shown last
+  std::string m_last;               ///< the name of the last of them
 };
 
 } // namespace halfspace

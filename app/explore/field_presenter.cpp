@@ -4,6 +4,7 @@
 #include "app/explore/go_on_in_explore.h"
 #include "lessons/language.h"
 #include "lessons/typed/complete_line.h"
+#include "lessons/typed/line_with_name.h"
 #include "lessons/typed/mend_line.h"
 #include "lessons/typed/read_line.h"
 #include "lessons/typed/typed_scene.h"
@@ -14,6 +15,7 @@
 #include <QAction>
 #include <QMenuBar>
 #include <QPointer>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +37,10 @@ EntryField::Part partOf(const std::string &line, std::size_t at, std::size_t len
 }
 
 /// Whether a text can only be a line: no command has such a sign.
-bool isLine(const QString &text) { return text.contains('=') || text.contains(':'); }
+bool isLine(const QString &text) {
+  static const QRegularExpression signs("[=:(,;+*/^·×]");
+  return text.contains(signs);
+}
 
 } // namespace
 
@@ -185,11 +190,13 @@ void FieldPresenter::enter() {
   const std::string line = m_bar.text().toStdString();
   if (m_bar.text().trimmed().isEmpty())
     return;
-  const auto read = readLine(line, above(), language().decimalMark);
+  const LineWithName named = withName(line, above(), language().decimalMark);
+  const auto read = readLine(named.line, above(), language().decimalMark);
   if (const auto *entry = std::get_if<Entry>(&read))
     return accept(*entry);
   const TypedFault &fault = std::get<TypedFault>(read);
-  refuse(QString::fromStdString(fault.sentence), partOf(line, fault.at, fault.length));
+  refuse(QString::fromStdString(fault.sentence),
+         partOf(line, std::max(fault.at, named.added) - named.added, fault.length));
 }
 
 void FieldPresenter::accept(const Entry &entry) {
@@ -214,10 +221,9 @@ void FieldPresenter::enterAll(const QString &lines) {
   const Scene &scene = m_model.session().scene;
   const auto grown = readTypedScene(lines.toStdString(), {}, language().decimalMark, scene);
   if (!grown)
-    return m_bar.complain(tr("Nothing was added. Line %1: %2")
-                              .arg(grown.problem().line)
-                              .arg(QString::fromStdString(grown.problem().sentence)),
-                          {});
+    return m_bar.say(tr("Nothing was added. Line %1: %2")
+                         .arg(grown.problem().line)
+                         .arg(QString::fromStdString(grown.problem().sentence)));
   if (!isExplore(m_model))
     return goOnInExplore(m_model, m_files, *grown);
   std::vector<Entry> added;
@@ -234,7 +240,9 @@ void FieldPresenter::refuse(const QString &sentence, EntryField::Part part) {
 
 std::vector<FieldPresenter::Offer> FieldPresenter::mends() {
   std::vector<Offer> offers;
-  for (const std::string &mend : mendsOf(m_bar.text().toStdString(), above(), language().decimalMark)) {
+  const char mark = language().decimalMark;
+  const std::string typed = withName(m_bar.text().toStdString(), above(), mark).line;
+  for (const std::string &mend : mendsOf(typed, above(), mark)) {
     const QString line = QString::fromStdString(mend);
     offers.push_back({{line, tr("Enter: take this instead")},
                       [this, line] {

@@ -3,6 +3,7 @@
 #include "app/export/figure_clipboard.h"
 #include "app/open_session.h"
 #include "app/work/session_files.h"
+#include "widgets/session_model.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -21,8 +22,8 @@ QString sessionFileOn(const QMimeData &clipboard) {
 
 } // namespace
 
-ScenePaste::ScenePaste(SessionFiles &files, Messages messages, QObject *parent)
-    : QObject(parent), m_files(files), m_messages(messages) {}
+ScenePaste::ScenePaste(const SessionModel &model, SessionFiles &files, Messages messages, QObject *parent)
+    : QObject(parent), m_model(model), m_files(files), m_messages(messages) {}
 
 void ScenePaste::paste() {
   const QMimeData *clipboard = QApplication::clipboard()->mimeData();
@@ -34,6 +35,8 @@ void ScenePaste::paste() {
     return;
   }
   const auto found = sessionOn(*clipboard);
+  if (!found && isExplore(m_model) && clipboard->hasText())
+    return emit textPasted(clipboard->text());
   if (!found)
     return m_messages.say(QString::fromStdString(found.problem().text()));
   if (m_files.mayLeave())

@@ -40,7 +40,8 @@ using GivenObjects = std::span<const std::shared_ptr<const Given<Object>>>;
 /// A construction as the table holds it, with the types of its input and output erased.
 struct Construction {
   std::string_view id;
-  std::string_view word; ///< that asks for it or for others of its sort: intersect; may be empty
+  std::string_view word;  ///< that asks for it or for others of its sort: intersect; may be empty
+  std::string (*title)(); ///< what comes of it, in few words: where the lines meet
   std::vector<ConstructionRole> roles; ///< what it looks at
   std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
   std::vector<std::string> ownLetters; ///< of what else stands in its lines: w, f, t

@@ -47,7 +47,7 @@ struct NamedValue {
 
 /// The case of an outcome.
 struct CaseWords {
-  std::string name;          ///< hit, behind, parallel … : a word for programs; empty for an object
+  std::string name;          ///< hit, behind, parallel … : a word for programs; empty for a sound object
   std::string description{}; ///< the case in plain words
   bool degenerate = false;   ///< the input has no answer of the usual kind: the description is a warning
 };

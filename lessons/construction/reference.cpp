@@ -44,9 +44,10 @@ std::string row(const std::string &what, const std::string &names) {
 std::string sectionOf(const Construction &construction) {
   const ConstructionNames &names = construction.names;
   return "## " + std::string(construction.id) + "\n\n| | |\n| --- | --- |\n" +
-         row("of", listedRoles(construction.roles)) + row("makes", listedRoles(construction.makes)) +
-         row("cases", listed(names.cases, code)) + row("values", listed(names.values, textOf)) +
-         row("lines", listed(names.lines, code)) + row("marks", listed(names.marks, code)) + "\n";
+         row("what comes of it", construction.title()) + row("of", listedRoles(construction.roles)) +
+         row("makes", listedRoles(construction.makes)) + row("cases", listed(names.cases, code)) +
+         row("values", listed(names.values, textOf)) + row("lines", listed(names.lines, code)) +
+         row("marks", listed(names.marks, code)) + "\n";
 }
 
 } // namespace

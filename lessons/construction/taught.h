@@ -138,6 +138,7 @@ template <class Out> struct Teaching {
   std::string_view id;
   std::string_view
       word{}; ///< by which it is asked for, where it is one of several for that; empty: its id alone
+  std::string (*title)();         ///< what comes of it, in few words
   std::vector<std::string> roles; ///< in the order of In
   std::vector<MadeRow<Out>> makes{};
   std::vector<std::string> letters{}; ///< its own
@@ -214,6 +215,7 @@ template <class Out, class... Kinds> [[nodiscard]] Construction taught(Teaching<
   const auto teaching = std::make_shared<const Teaching<Out>>(std::move(described));
   Construction construction{teaching->id,
                             teaching->word,
+                            teaching->title,
                             {},
                             {},
                             teaching->letters,

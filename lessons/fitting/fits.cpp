@@ -3,11 +3,18 @@
 #include "lessons/construction/construction.h"
 #include "lessons/fitting/objects_between.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/polygon.h"
+#include "lessons/object/kinds/segment.h"
+#include "lessons/object/kinds/tetrahedron.h"
+#include "lessons/object/kinds/triangle.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/fresh_names.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/scene/scene_checker.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace halfspace {
@@ -23,7 +30,7 @@ struct FilledUse {
 /// Finds what fits one selection.
 class Fitter {
 public:
-  Fitter(const Scene &scene, const std::vector<std::string> &selected) : m_names(scene) {
+  Fitter(const Scene &scene, const std::vector<std::string> &selected) : m_scene(scene), m_names(scene) {
     m_selected.resize(selected.size());
     for (SeenObject &object : seenObjectsOf(scene)) {
       const auto place = std::find(selected.begin(), selected.end(), object.id);
@@ -57,13 +64,60 @@ public:
       found.push_back({{std::move(name), std::move(derived)}});
     }
     if (m_selected.size() == 1)
-      addPointsOn(m_selected.front(), found);
+      addOfOne(m_selected.front(), found);
     found.insert(found.end(), std::make_move_iterator(wanting.begin()),
                  std::make_move_iterator(wanting.end()));
     return found;
   }
 
 private:
+  void addOfOne(const SeenObject &object, std::vector<Fit> &found) const {
+    addPointsOn(object, found);
+    const std::vector<std::string> corners = cornersOf(object);
+    if (object.kind == SegmentObject::kind)
+      addOfEnds(corners, found);
+    else
+      addFaces(object.kind, corners, found);
+  }
+
+  /// The names of the places that an object of straight sides is told by.
+  [[nodiscard]] std::vector<std::string> cornersOf(const SeenObject &seen) const {
+    const Entry *entry = m_scene.entries.find(seen.id);
+    const Kind *kind = entry ? kindOf(*entry) : nullptr;
+    constexpr std::array straight{SegmentObject::kind, TriangleObject::kind, PolygonObject::kind,
+                                  TetrahedronObject::kind};
+    if (!kind || std::find(straight.begin(), straight.end(), kind->word) == straight.end())
+      return {};
+    const auto *derived = std::get_if<DerivedObject>(&entry->content);
+    const std::size_t count = derived ? derived->coordinates.size() : std::get<Object>(entry->content).size();
+    std::vector<std::string> corners;
+    for (std::size_t i = 0; i < count; ++i)
+      corners.push_back(sourceOf(m_scene, coordinateId(seen.id, kind->coordinates[i])));
+    return corners;
+  }
+
+  /// Of ends that are objects themselves.
+  void addOfEnds(const std::vector<std::string> &ends, std::vector<Fit> &found) const {
+    const Fitter ofEnds(m_scene, ends);
+    if (ofEnds.m_selected.size() < ends.size())
+      return;
+    for (Fit &fit : ofEnds.fits())
+      if (!fit.wanted && !kindOf(fit.entry))
+        found.push_back(std::move(fit));
+  }
+
+  void addFaces(std::string_view kind, const std::vector<std::string> &corners,
+                std::vector<Fit> &found) const {
+    using Face = std::array<std::size_t, 3>;
+    const std::vector<Face> faces = kind == TetrahedronObject::kind
+                                        ? std::vector<Face>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}
+                                        : std::vector<Face>{{0, 1, 2}};
+    const std::string name = m_names.ofKind(*findKind(PlaneObject::kind));
+    for (const auto &[a, b, c] : faces)
+      if (c < corners.size())
+        found.push_back({{name, planeThrough({corners[a], corners[b], corners[c]})}});
+  }
+
   /// The points that can lie on an object, where their kinds begin.
   void addPointsOn(const SeenObject &host, std::vector<Fit> &found) const {
     for (const Kind &kind : kinds()) {
@@ -106,6 +160,7 @@ private:
                        [&](std::string_view kind) { return canStandFor(needed, kind); });
   }
 
+  const Scene &m_scene;
   FreshNames m_names;
   std::vector<SeenObject> m_selected;
   std::set<std::string_view> m_otherKinds; ///< of what is not selected

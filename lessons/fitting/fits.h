@@ -21,8 +21,10 @@ struct Fit {
 
 /// All entries that look at the selected objects and at nothing else: the uses of constructions, then the
 /// objects that the selected ones are the coordinates of, as a triangle by its corners or a line by two of
-/// its points, and a point that lies on the only one; then the uses that want one more object, of a kind of
-/// which the scene has another one.
+/// its points; then the uses that want one more object, of a kind of which the scene has another one.
+///
+/// A single object has besides, before those that want another: a point that lies on it; the planes of its
+/// faces, if it has corners; of a segment what can be constructed of its ends.
 ///
 /// The ids are those of scene objects, `Q` or `distance.F`; other ones, and repetitions, count for nothing.
 /// Each object goes into the first role that takes its kind, in the order of selection, and a list role takes

@@ -1,5 +1,6 @@
 #include "lessons/fitting/objects_between.h"
 
+#include "lessons/formula/plane_through.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/object/kinds/number.h"
@@ -20,9 +21,9 @@ constexpr std::array leadingKinds{LineObject::kind, RayObject::kind, VectorObjec
 /// Its planes cannot stand where planes can: whoever has three points wants a plane.
 constexpr std::string_view planeOfLessons = "plane-through-points";
 
-Formula named(const SeenObject &object) { return {FormulaKind::Name, {}, object.id}; }
+Formula named(const std::string &id) { return {FormulaKind::Name, {}, id}; }
 
-Formula wayBetween(const SeenObject &from, const SeenObject &to) {
+Formula wayBetween(const std::string &from, const std::string &to) {
   return {FormulaKind::Difference, {}, {}, {named(to), named(from)}};
 }
 
@@ -54,7 +55,7 @@ std::optional<DerivedObject> toldBy(const Kind &kind, std::vector<SeenObject> ob
     });
     if (fitting == objects.end())
       return {};
-    derived.coordinates.push_back(named(*fitting));
+    derived.coordinates.push_back(named(fitting->id));
     objects.erase(fitting);
   }
   return derived;
@@ -70,16 +71,17 @@ std::optional<DerivedObject> through(const Kind &kind, const std::vector<SeenObj
                   [](const SeenObject &each) { return each.kind != PointObject::kind; }))
     return {};
   if (areLedThrough(kind, points.size()))
-    return DerivedObject{&kind, {named(points[0]), wayBetween(points[0], points[1])}};
-  if (kind.word == PlaneObject::kind && points.size() == 3) {
-    Formula normal{
-        FormulaKind::Cross, {}, {}, {wayBetween(points[0], points[1]), wayBetween(points[0], points[2])}};
-    return DerivedObject{&kind, {named(points[0]), std::move(normal)}};
-  }
+    return DerivedObject{&kind, {named(points[0].id), wayBetween(points[0].id, points[1].id)}};
+  if (kind.word == PlaneObject::kind && points.size() == 3)
+    return planeThrough({points[0].id, points[1].id, points[2].id});
   return {};
 }
 
 } // namespace
+
+DerivedObject planeThrough(const std::array<std::string, 3> &points) {
+  return {findKind(PlaneObject::kind), planeThrough(named(points[0]), named(points[1]), named(points[2]))};
+}
 
 std::vector<DerivedObject> objectsBetween(const std::vector<SeenObject> &objects) {
   std::vector<DerivedObject> found;

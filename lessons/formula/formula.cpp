@@ -1,5 +1,6 @@
 #include "lessons/formula/formula.h"
 
+#include "geometry/plane.h"
 #include "lessons/words.h"
 
 #include <utility>
@@ -75,6 +76,9 @@ private:
       return shapes[0] == Triple && shapes[1] == Triple ? Number : shapes[0] == Number ? shapes[1] : Triple;
     case FormulaKind::Cross:
       return expectAll(shapes, formula, Triple, Triple, words("The product × is for two vectors."));
+    case FormulaKind::Shortest:
+      return expectAll(shapes, formula, Triple, Triple,
+                       words("Only vectors have a shortest one of whole numbers."));
     default: // a sign changes no shape
       return shapes[0];
     }
@@ -141,6 +145,14 @@ private:
     return result;
   }
 
+  /// The zero vector has no other.
+  static ExactVec3 shortest(const ExactVec3 &vector) {
+    if (isZero(vector))
+      return vector;
+    const auto numbers = primitiveCoefficients(Plane<Rational>{vector, 0});
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
   static FormulaValue ofParts(const Formula &formula, const std::vector<FormulaValue> &values) {
     switch (formula.kind) {
     case FormulaKind::Component:
@@ -162,6 +174,8 @@ private:
                                                         : dot(triple(values[0]), triple(values[1]));
     case FormulaKind::Cross:
       return cross(triple(values[0]), triple(values[1]));
+    case FormulaKind::Shortest:
+      return shortest(triple(values[0]));
     default: // a sign
       return times(-1, values[0]);
     }

@@ -31,7 +31,8 @@ enum class FormulaKind : std::uint8_t {
   Quotient,   ///< by a number
   Power,      ///< of a number, by a whole number from 0 on
   Dot,        ///< u · v of two vectors; with a number the same as a product
-  Cross       ///< u × v of two vectors
+  Cross,      ///< u × v of two vectors
+  Shortest    ///< shortest(v): in the direction of a vector, with whole numbers without a common factor
 };
 
 /// A formula as a tree. Two are equal that are built alike, wherever they were typed.

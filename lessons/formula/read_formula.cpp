@@ -16,6 +16,7 @@ constexpr std::array slashes{"/", "÷", "⁄"};
 constexpr std::array dots{"·", "⋅"};
 constexpr std::array powersOfTwoAndThree{std::pair("²", 2), std::pair("³", 3)};
 constexpr std::array<std::string_view, 3> components{"x", "y", "z"};
+constexpr std::string_view shortestWord = "shortest";
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -214,6 +215,8 @@ Formula FormulaReader::simple() {
     return failed(words("Something is missing at the end."), begin);
   if (isLetter(m_text[begin])) {
     const std::string_view name = takeName();
+    if (name == shortestWord && take("("))
+      return made(FormulaKind::Shortest, {bracketed()}, begin);
     const auto dot = name.rfind('.');
     if (dot != std::string_view::npos)
       for (std::size_t axis = 0; axis < components.size(); ++axis)
@@ -343,6 +346,8 @@ public:
       return within(parts[0], Binding::Product) + " · " + within(parts[1], Binding::Sign);
     case FormulaKind::Cross:
       return within(parts[0], Binding::Product) + " × " + within(parts[1], Binding::Sign);
+    case FormulaKind::Shortest:
+      return std::string(shortestWord) + "(" + of(parts[0]) + ")";
     case FormulaKind::Product:
       break;
     }

@@ -171,7 +171,7 @@ void letRaysRunOn(Figure &figure) {
 }
 
 void addCase(const CaseWords &told, Shown &shown) {
-  shown.description += (shown.description.empty() ? "" : " ") + told.description;
+  shown.description += (shown.description.empty() || told.description.empty() ? "" : " ") + told.description;
   shown.degenerate = shown.degenerate || told.degenerate;
 }
 
@@ -195,10 +195,11 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
   const std::unordered_set<std::string> spokenOf = entriesSpokenOf(lines, shown.working);
   for (std::size_t i = lines.empty() ? firstShown(evaluation) : 0; i < evaluation.entries.size(); ++i) {
     const EvaluatedEntry &entry = evaluation.entries[i];
-    if (entry.isConstruction() && (lines.empty() || spokenOf.contains(entry.name)))
+    if (spokenOf.contains(entry.name) || (lines.empty() && entry.isConstruction()))
       addCase(*entry.outcome->told, shown);
   }
-  if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.description.empty())
+  const EvaluatedEntry *last = evaluation.lastConstruction();
+  if (last && shown.description.empty() && !step.drawsAllResults)
     addCase(*last->outcome->told, shown);
   if (question == Question::Open) {
     keepNamed({}, figure);

@@ -1,5 +1,6 @@
 #include "lessons/scene/object_outcomes.h"
 
+#include "lessons/object/degenerate.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
 #include "lessons/scene/formula_names.h"
@@ -14,12 +15,17 @@ template <class T> Lazy<T> nothing() {
   return Lazy<T>([] { return T(); });
 }
 
-/// The outcome of an object: itself, its picture, and the values that it has beyond its coordinates.
+/// The outcome of an object: itself, what is wrong with it, its picture, and the values that it has beyond
+/// its coordinates.
 std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vector<NamedValue>> values,
                                          std::vector<Reach> reaches) {
+  Lazy<CaseWords> told([given = given.get()] {
+    std::string why = whyDegenerate(*given);
+    return why.empty() ? CaseWords() : CaseWords{"degenerate", std::move(why), true};
+  });
   return std::make_shared<const Outcome>(
       Outcome{{{"", given->object}},
-              nothing<CaseWords>(),
+              std::move(told),
               std::move(values),
               nothing<Explanation>(),
               Lazy<Figure>([given = given.get(), reaches = std::move(reaches)] {

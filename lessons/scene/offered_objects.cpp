@@ -17,6 +17,22 @@ const OfferedObject *findOffered(const Evaluation &evaluation, std::string_view 
   return found == entry->offers.end() ? nullptr : &*found;
 }
 
+std::string sourceOf(const Scene &scene, std::string name) {
+  const auto kindOfId = [&](std::string_view id) -> const Kind * {
+    const Entry *entry = scene.entries.find(id);
+    return entry ? kindOf(*entry) : nullptr;
+  };
+  // Each entry follows only what stands above it, so this comes to an end.
+  for (auto place = coordinateNamed(name, kindOfId); place; place = coordinateNamed(name, kindOfId)) {
+    const auto *derived = std::get_if<DerivedObject>(&scene.entries.find(place->object)->content);
+    if (!derived || place->index >= derived->coordinates.size() ||
+        derived->coordinates[place->index].kind != FormulaKind::Name)
+      break;
+    name = derived->coordinates[place->index].name;
+  }
+  return name;
+}
+
 std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name) {
   const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
     const OfferedObject *object = findOffered(evaluation, id);

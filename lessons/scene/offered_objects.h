@@ -9,6 +9,10 @@ namespace halfspace {
 /// there in the present case; null where there is none.
 [[nodiscard]] const OfferedObject *findOffered(const Evaluation &evaluation, std::string_view id);
 
+/// The name by which a coordinate was put into its object, where that follows others: A for T.P0 of
+/// T = triangle(A, B, C), and for what follows that in turn; else the name itself.
+[[nodiscard]] std::string sourceOf(const Scene &scene, std::string name);
+
 /// The place that a name stands for in a formula: a point, `T.P0`. Nothing for what is no place, and for what
 /// is not there now.
 [[nodiscard]] std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name);

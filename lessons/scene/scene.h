@@ -45,7 +45,7 @@ inline constexpr const char *hostRole = "on";
 
 // What the colour and the lines of an object, and what is done with an entry's picture, are called in files.
 inline constexpr const char *colorField = "color";
-inline constexpr const char *lineField = "line";
+inline constexpr const char *strokeField = "stroke";
 inline constexpr const char *labelField = "label";
 inline constexpr const char *hiddenField = "hidden";
 inline constexpr const char *lockedField = "locked";

@@ -58,7 +58,7 @@ std::optional<Problem> checkLook(const Entry &entry) {
   if (entry.color && !(isObject && isSeen))
     return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
   if (entry.line && !(isObject && isSeen))
-    return problemWith(lineField, words("“{name}” has no lines of its own.", {{"name", entry.name}}));
+    return problemWith(strokeField, words("“{name}” has no lines of its own.", {{"name", entry.name}}));
   if ((entry.isHidden || entry.label) && !isSeen)
     return problemWith(entry.isHidden ? hiddenField : labelField,
                        words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));

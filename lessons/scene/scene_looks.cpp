@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace halfspace {
 namespace {
@@ -31,6 +32,34 @@ private:
   std::array<std::size_t, hueCount> m_counts{};
 };
 
+/// The colours in which objects are drawn, by the names of their entries.
+std::map<std::string, Hue> huesOf(const Scene &scene) {
+  std::map<std::string, Hue> hues;
+  const std::vector<Look> looks = looksOf(scene);
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    if (const auto subject = subjectOf(scene.entries[i]))
+      hues.emplace(scene.entries[i].name, looks[i].hue.value_or(hueOf(*subject)));
+  return hues;
+}
+
+/// Gives the objects of a scene the colours that are wanted where it would decide on others.
+void giveColors(const std::map<std::string, Hue> &wanted, Scene &scene) {
+  // A colour that is said leaves others to the rest, which may need to be said in turn.
+  for (bool isAnyOther = true; isAnyOther;) {
+    isAnyOther = false;
+    const std::map<std::string, Hue> now = huesOf(scene);
+    for (std::size_t i = 0; i < scene.entries.size(); ++i) {
+      const std::string &name = scene.entries[i].name;
+      const auto had = wanted.find(name);
+      const auto has = now.find(name);
+      if (had == wanted.end() || has == now.end() || scene.entries[i].color || has->second == had->second)
+        continue;
+      scene.entries.change(i, [&](Entry &entry) { entry.color = had->second; });
+      isAnyOther = true;
+    }
+  }
+}
+
 } // namespace
 
 std::vector<Look> looksOf(const Scene &scene) {
@@ -54,6 +83,25 @@ std::vector<Look> looksOf(const Scene &scene) {
       counts.add(*look.hue);
     }
   return looks;
+}
+
+std::vector<Edit> keepingColors(const Scene &scene, std::vector<Edit> edits) {
+  std::map<std::string, Hue> wanted = huesOf(scene);
+  Scene after = scene;
+  for (const Edit &edit : edits) {
+    if (const auto *replaced = std::get_if<ReplaceEntry>(&edit))
+      wanted.erase(replaced->name); // somebody says how it is to look
+    auto next = apply(after, edit);
+    if (!next)
+      return edits; // it will be told why
+    after = std::move(*next);
+  }
+  Scene colored = after;
+  giveColors(wanted, colored);
+  for (std::size_t i = 0; i < after.entries.size(); ++i)
+    if (colored.entries.shared(i) != after.entries.shared(i))
+      edits.emplace_back(ReplaceEntry{after.entries[i].name, colored.entries[i]});
+  return edits;
 }
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 // The looks of a scene's objects.
 #pragma once
 
-#include "lessons/scene/scene.h"
+#include "lessons/scene/edit.h"
 
 namespace halfspace {
 
@@ -10,5 +10,9 @@ namespace halfspace {
 /// fewest have. So two objects about the same subject are alike only where a lesson wants them to be, and
 /// even then their lines are not.
 [[nodiscard]] std::vector<Look> looksOf(const Scene &scene);
+
+/// Edits of a scene, and those after which the objects that were there have the colours that they had: where
+/// others come or go, the fewest may have another hue. Edits that are refused are as they are.
+[[nodiscard]] std::vector<Edit> keepingColors(const Scene &scene, std::vector<Edit> edits);
 
 } // namespace halfspace

@@ -1,12 +1,16 @@
 #include "lessons/typed/entry_summary.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/letters.h"
+#include "lessons/term/angle.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/typed/write_line.h"
+#include "lessons/words.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace halfspace {
 namespace {
@@ -37,8 +41,24 @@ std::string objectText(const Given<Object> &given, const DerivedObject *derived 
   return given.object.shape() ? std::string() : coordinatesText(given, derived);
 }
 
-/// The value that goes by the construction's own name or word, `signed_distance` or `distance`; where its
-/// case has none such, the last that stands in its lines: what they lead to.
+/// The angle of at most 90° whose sine a label is, or the one whose cosine it is, in degrees: φ ≈ 78.69°;
+/// nothing for other labels.
+std::optional<std::string> angleText(const Term &label) {
+  if (label->kind != TermKind::Applied || !numberOf(label))
+    return {};
+  const std::string function = plainText(label->symbol);
+  const Real &value = *numberOf(label);
+  const auto cosine = function == "cos"   ? std::optional(value)
+                      : function == "sin" ? squareRoot(Real(1) - value * value)
+                                          : std::nullopt;
+  if (!cosine)
+    return {};
+  return plainText(label->parts[0]) + relatedText(degreesOf(number(*cosine))) + "°";
+}
+
+/// What a construction comes to in the row of a list: the value that goes by its own name or word,
+/// `signed_distance` or `distance`; where its case has none such, the case in words if objects are what it is
+/// for, else the last value that stands in its lines, which is what they lead to.
 std::string mainValue(const Outcome &outcome, const Construction &construction) {
   std::string named(construction.id);
   std::replace(named.begin(), named.end(), '-', '_'); // as the eval format writes names
@@ -47,9 +67,9 @@ std::string mainValue(const Outcome &outcome, const Construction &construction) 
     if (const auto *letter = std::get_if<Term>(&value.label)) {
       if (value.name == named || value.name == construction.word)
         return equation(*letter);
-      last = equation(*letter);
+      last = angleText(*letter).value_or(equation(*letter));
     }
-  return last;
+  return last.empty() || !construction.makes.empty() ? outcome.told->description : last;
 }
 
 /// What stands behind the name and its sign.
@@ -75,7 +95,15 @@ EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char de
   const Kind *kind = kindOf(entry);
   summary.definition = !line.empty() ? definitionIn(line) : kind->noun();
   const EvaluatedEntry *evaluated = evaluation.find(entry.name);
-  if (!evaluated || !evaluated->missing.empty() || tellsItself(entry, line))
+  if (!evaluated)
+    return summary;
+  if (!evaluated->missing.empty())
+    summary.value = words("not there now");
+  else if (kind && !evaluated->outcome->told->description.empty())
+    summary.value = evaluated->outcome->told->description;
+  else if (kind == findKind(NumberObject::kind))
+    summary.value = coordinateText(*evaluated->offers.front().given, 0);
+  if (!summary.value.empty() || tellsItself(entry, line))
     return summary;
   const auto *derived = std::get_if<DerivedObject>(&entry.content);
   summary.value = kind ? objectText(*evaluated->offers.front().given, derived)

@@ -9,7 +9,8 @@ struct EntrySummary {
   /// As it is typed, behind the name: `midpoint(A, B)`; of a mesh the noun of its kind.
   std::string definition;
   /// What that comes to, where the definition does not say it: a plane's equation, the coordinates of what
-  /// follows others, the number that a construction leads to. Empty for nothing, and where it is missing.
+  /// follows others, the number that a construction leads to, or its case in words; what is wrong with it.
+  /// Empty for nothing.
   std::string value;
 };
 

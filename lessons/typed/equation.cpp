@@ -1,5 +1,6 @@
 #include "lessons/typed/equation.h"
 
+#include "geometry/exact_root.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ std::optional<int> degreeOf(const Formula &formula) {
   }
 }
 
-std::optional<FormulaFault> faultIn(const Formula &formula) {
+/// What else than x, y and z an equation has a name of.
+std::optional<FormulaFault> strangerIn(const Formula &formula) {
   std::optional<FormulaFault> fault;
   const std::function<void(const Formula &)> look = [&](const Formula &part) {
     const bool isUnknown = std::find(unknowns.begin(), unknowns.end(), part.name) != unknowns.end();
@@ -53,6 +55,11 @@ std::optional<FormulaFault> faultIn(const Formula &formula) {
       look(each);
   };
   look(formula);
+  return fault;
+}
+
+std::optional<FormulaFault> faultIn(const Formula &formula) {
+  std::optional<FormulaFault> fault = strangerIn(formula);
   if (!fault && degreeOf(formula).value_or(2) > 1)
     fault = FormulaFault{words("A plane has an equation as x + 2y + 2z = 27: no products of x, y and z."),
                          formula.at};
@@ -85,6 +92,43 @@ ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
   return point;
 }
 
+/// A quadratic formula: a·x² for each axis, the factor of x for each axis, and what stands alone.
+struct Quadratic {
+  ExactVec3 squares{};
+  ExactVec3 factors{};
+  Rational constant;
+  bool hasMixed = false; ///< a product of two different unknowns
+};
+
+ExactVec3 unitOfAxis(int axis) {
+  ExactVec3 unit(0);
+  unit[axis] = 1;
+  return unit;
+}
+
+/// By its values in seven places, and in three more that tell of mixed products. Nothing where it would be
+/// divided by zero.
+std::optional<Quadratic> quadraticOf(const Formula &formula) {
+  const auto constant = valueAt(formula, ExactVec3(0));
+  if (!constant)
+    return {};
+  Quadratic found{{}, {}, *constant};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Rational ahead = *valueAt(formula, unitOfAxis(axis));
+    const Rational behind = *valueAt(formula, -unitOfAxis(axis));
+    found.squares[axis] = (ahead + behind) / 2 - *constant;
+    found.factors[axis] = (ahead - behind) / 2;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3;
+    const Rational both = *valueAt(formula, unitOfAxis(axis) + unitOfAxis(next));
+    const Rational unmixed =
+        found.squares[axis] + found.squares[next] + found.factors[axis] + found.factors[next] + *constant;
+    found.hasMixed = found.hasMixed || both != unmixed;
+  }
+  return found;
+}
+
 bool isNamed(const Formula &formula, const std::function<bool(const std::string &)> &isMeant) {
   return formula.kind == FormulaKind::Name && isMeant(formula.name);
 }
@@ -106,13 +150,42 @@ std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formu
     return FormulaFault{words("This would be divided by zero."), left.at};
   ExactVec3 normal(0);
   for (int axis = 0; axis < 3; ++axis) {
-    ExactVec3 unit(0);
-    unit[axis] = 1;
-    normal[axis] = *valueAt(zero, unit) - *constant;
+    normal[axis] = *valueAt(zero, unitOfAxis(axis)) - *constant;
   }
   if (isZero(normal))
     return FormulaFault{words("No x, y or z is left in this equation: it is no plane."), left.at};
   return PlaneObject{pointOn(normal, -*constant), normal};
+}
+
+bool isQuadratic(const Formula &left, const Formula &right) {
+  return std::max(degreeOf(left).value_or(3), degreeOf(right).value_or(3)) == 2;
+}
+
+std::variant<SphereObject, FormulaFault> sphereOf(const Formula &left, const Formula &right) {
+  const Formula zero{FormulaKind::Difference, {}, {}, {left, right}, left.at};
+  if (auto fault = strangerIn(zero))
+    return *fault;
+  const auto found = quadraticOf(zero);
+  if (!found)
+    return FormulaFault{words("This would be divided by zero."), left.at};
+  const Rational &square = found->squares.x;
+  if (square == 0 || found->squares.y != square || found->squares.z != square || found->hasMixed)
+    return FormulaFault{
+        words("A sphere has an equation as (x - 1)^2 + (y - 2)^2 + z^2 = 9, with all three squares alike."),
+        left.at};
+  const ExactVec3 center = found->factors * Rational(Rational(-1) / (2 * square));
+  const Rational radiusSquared = dot(center, center) - found->constant / square;
+  if (radiusSquared < 0)
+    return FormulaFault{words("No point has these coordinates: the square of the radius would be {square}.",
+                              {{"square", toText(radiusSquared)}}),
+                        left.at};
+  const auto radius = exactRoot(radiusSquared);
+  if (!radius)
+    return FormulaFault{
+        words("Its radius would be √({square}), which is no fraction: here spheres have fractions.",
+              {{"square", toText(radiusSquared)}}),
+        left.at};
+  return SphereObject{center, *radius};
 }
 
 std::optional<PlaneEquation> equationFor(const PlaneObject &plane) {

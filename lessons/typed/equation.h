@@ -1,14 +1,22 @@
-// Planes and lines as they are written on paper.
+// Planes, spheres and lines as they are written on paper.
 #pragma once
 
 #include "lessons/formula/formula.h"
 #include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/sphere.h"
 
 namespace halfspace {
 
 /// The plane of left = right, with x, y and z and with numbers; its point lies on an axis, with whole numbers
 /// where one such has them. Or what keeps it from being one.
 [[nodiscard]] std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right);
+
+/// Whether x, y and z are squared or multiplied by one another in left = right, and nothing beyond that.
+[[nodiscard]] bool isQuadratic(const Formula &left, const Formula &right);
+
+/// The sphere of left = right: (x − 1)² + (y − 2)² + z² = 9, in whatever form. Or what keeps it from being
+/// one whose radius is a fraction.
+[[nodiscard]] std::variant<SphereObject, FormulaFault> sphereOf(const Formula &left, const Formula &right);
 
 /// The equation of a plane, its left and its right side: n·x = n·P0.
 struct PlaneEquation {

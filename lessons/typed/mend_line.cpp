@@ -15,9 +15,10 @@
 namespace halfspace {
 namespace {
 
-/// What is tried, the likeliest slips first: of the fingers where the fault is, then anywhere, then a wrong
-/// choice.
+/// What is tried, the likeliest slips first: the marks of another language, of the fingers where the fault
+/// is, then anywhere, then a wrong choice.
 enum class Slip {
+  OfAllMarks,
   OfAWord,
   OfOrderHere,
   OfASignHere,
@@ -68,6 +69,8 @@ public:
     const auto *fault = std::get_if<TypedFault>(&read);
     if (!fault || m_line.size() > longestMended)
       return {};
+    addOtherMarks();
+    addWhatIsMissing();
     addFreeName();
     addNearWords();
     for (std::size_t place = 0; place <= m_line.size(); ++place)
@@ -88,6 +91,29 @@ private:
     std::string line(m_line);
     line.replace(part.begin, part.end - part.begin, by);
     m_tries.push_back({slip, std::move(line)});
+  }
+
+  /// The end of an equation, or the brackets around three numbers.
+  void addWhatIsMissing() {
+    const std::size_t sign = m_line.find_first_of("=:");
+    if (sign == std::string_view::npos)
+      return;
+    if (m_line[sign] == ':' && m_line.find('=') == std::string_view::npos)
+      m_tries.push_back({Slip::OfAllMarks, std::string(m_line) + " = 0"});
+    m_tries.push_back({Slip::OfAllMarks, std::string(m_line.substr(0, sign + 1)) + " (" +
+                                             std::string(trimmed(m_line.substr(sign + 1))) + ")"});
+  }
+
+  /// Numbers as another language writes them: (0,5; 1; 2) for (0.5, 1, 2), or the other way round.
+  void addOtherMarks() {
+    const bool hasPoints = m_mark == '.';
+    std::string line(m_line);
+    for (char &sign : line)
+      if (sign == ',')
+        sign = hasPoints ? '.' : ';';
+      else if (sign == (hasPoints ? ';' : '.'))
+        sign = ',';
+    m_tries.push_back({Slip::OfAllMarks, std::move(line)});
   }
 
   /// Q_1 where there is a Q.
@@ -128,10 +154,13 @@ private:
     return (place + near >= fault.at && place <= fault.at + fault.length + near) || place == m_line.size();
   }
 
-  /// Two signs in the wrong order or one twice; a sign too many or too few; another sign.
+  /// Two signs in the wrong order or one twice; a sign too many or too few; another sign. No sign but =
+  /// belongs to the name, which would be another one then.
   void addSlipsOfFingers(std::size_t place, bool isHere) {
+    const bool isInName = place <= m_line.find_first_of(" =:");
     for (const std::string_view sign : signs)
-      add(isHere ? Slip::OfASignHere : Slip::OfASign, {place, place}, sign);
+      if (!isInName || sign == "=")
+        add(isHere ? Slip::OfASignHere : Slip::OfASign, {place, place}, sign);
     if (place == m_line.size())
       return;
     const char here = m_line[place];

@@ -1,5 +1,6 @@
 #include "lessons/typed/read_line.h"
 
+#include "lessons/formula/plane_through.h"
 #include "lessons/formula/read_formula.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/line.h"
@@ -50,10 +51,9 @@ std::vector<Argument> asTriple(const std::vector<Argument> &numbers) {
 
 /// A plane through three points, by one of them and its normal.
 std::vector<Argument> throughPoints(const std::vector<Argument> &points) {
-  const auto from = [&](std::size_t to) {
-    return Formula{FormulaKind::Difference, {}, {}, {points[to].formula, points[0].formula}};
-  };
-  return {points[0], {{FormulaKind::Cross, {}, {}, {from(1), from(2)}}, points[1].at, points[1].length}};
+  std::vector<Formula> plane = planeThrough(points[0].formula, points[1].formula, points[2].formula);
+  return {{std::move(plane[0]), points[0].at, points[0].length},
+          {std::move(plane[1]), points[1].at, points[1].length}};
 }
 
 Argument argumentOf(const Formula &formula) { return {formula, formula.at, 1}; }
@@ -126,9 +126,19 @@ private:
         return fail(words("There is no “{name}”.", {{"name", word}}), begin, word.size());
     }
     m_reader.goTo(begin);
-    if (m_line.substr(begin).find('=') != std::string_view::npos && !hasConditions(begin))
+    takeAnyPoint();
+    const std::size_t said = m_reader.at();
+    if (m_line.substr(said).find('=') != std::string_view::npos && !hasConditions(said))
       return readEquation();
     readValue();
+  }
+
+  /// Notes call any point of a line X: g: X = A + t v.
+  void takeAnyPoint() {
+    const std::size_t at = m_reader.at();
+    const std::string_view word = m_reader.takeWord();
+    if (word != "X" || m_names.isName(word) || !m_reader.take("="))
+      m_reader.goTo(at);
   }
 
   /// Whether the sign of an equation stands behind a comma only: as in t >= 0.
@@ -243,10 +253,17 @@ private:
     const Formula right = m_reader.sum();
     if (hasFault())
       return;
-    auto plane = planeOf(left, right);
-    if (const auto *fault = std::get_if<FormulaFault>(&plane))
+    if (isQuadratic(left, right))
+      takeTold(sphereOf(left, right), begin);
+    else
+      takeTold(planeOf(left, right), begin);
+  }
+
+  /// What an equation tells, or why it tells nothing.
+  template <class Told> void takeTold(const std::variant<Told, FormulaFault> &told, std::size_t begin) {
+    if (const auto *fault = std::get_if<FormulaFault>(&told))
       return fail(fault->sentence, std::max(fault->at, begin), 1);
-    m_entry.content = Object(std::get<PlaneObject>(plane));
+    m_entry.content = Object(std::get<Told>(told));
   }
 
   void readValue() {

@@ -11,8 +11,8 @@ namespace halfspace {
 /// - `Q = (1, 2, 3)` is a point, `v = (1, 2, 3)` in small letters a vector, `k = 3/2` a number, with its
 /// bounds and
 ///   step `k = 3/2, 0 <= k <= 5, step 1/2`.
-/// - `E: x + 2y + 2z = 27` is a plane; `g = A + t(1, 2, 3)` a line, a ray where t >= 0 follows or the name
-/// begins
+/// - `E: x + 2y + 2z = 27` is a plane, `S: (x - 1)^2 + y^2 + z^2 = 9` a sphere; `g = A + t(1, 2, 3)` a line,
+/// a ray where t >= 0 follows or the name begins
 ///   with r, a segment where 0 <= t <= 1 does.
 /// - `g = line(A, B)` leads from one point to another, and so do a ray and a vector.
 /// - `E = plane(P0, n)`, likewise for each kind with its coordinates in their order; `plane(A, B, C)` goes
@@ -21,7 +21,7 @@ namespace halfspace {
 /// - `d = distance(E, Q)`: a construction by its id or its word, which takes what it looks at in any order,
 /// as far
 ///   as kinds tell it.
-/// - Its look may follow, a colour, and whether it is hidden or locked: `Q = (1, 2, 3), green, locked`.
+/// - Its look may follow (`lookWords`): `Q = (1, 2, 3), green, locked`.
 ///
 /// Coordinates are formulas: an object with names in one follows these. The fault is in the line's bytes.
 [[nodiscard]] std::variant<Entry, TypedFault> readLine(std::string_view line, const Scene &above,

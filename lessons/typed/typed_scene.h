@@ -6,10 +6,9 @@
 
 namespace halfspace {
 
-/// A scene with lines as `readLine` reads them below what it has, each below those before it. Three numbers
-/// alone, `1, 2, 3`, are a point under a name that is free, as tables of coordinates have them. Empty lines,
-/// and what stands behind a #, say nothing. The problem of the first line with one has its column and what
-/// was perhaps meant in its sentence.
+/// A scene with lines as `readLine` reads them below what it has, each below those before it. A line without
+/// a name gets one (`withName`). Empty lines, and what stands behind a #, say nothing. The problem of the
+/// first line with one has its column and what was perhaps meant in its sentence.
 [[nodiscard]] Result<Scene> readTypedScene(std::string_view text, const std::string &file,
                                            char decimalMark = '.', Scene above = {});
 

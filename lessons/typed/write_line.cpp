@@ -1,6 +1,7 @@
 #include "lessons/typed/write_line.h"
 
 #include "lessons/construction/construction.h"
+#include "lessons/formula/plane_through.h"
 #include "lessons/formula/read_formula.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
@@ -13,19 +14,6 @@
 
 namespace halfspace {
 namespace {
-
-/// The three points whose plane has these coordinates: A and (B − A) × (C − A).
-std::optional<std::vector<Formula>> pointsOfPlane(const std::vector<Formula> &coordinates) {
-  const Formula &point = coordinates.front();
-  const Formula &normal = coordinates.back();
-  const auto leadsFromPoint = [&](const Formula &way) {
-    return way.kind == FormulaKind::Difference && way.parts[1] == point;
-  };
-  if (normal.kind != FormulaKind::Cross || !leadsFromPoint(normal.parts[0]) ||
-      !leadsFromPoint(normal.parts[1]))
-    return {};
-  return std::vector{point, normal.parts[0].parts[0], normal.parts[1].parts[0]};
-}
 
 /// Puts the text of a line together.
 class LineText {
@@ -87,7 +75,7 @@ private:
     if (kind.word == VectorObject::kind && !isNamedAsPoint && coordinates.front() == formulaOf(ExactVec3(0)))
       return text(last);
     if (const auto points = kind.word == PlaneObject::kind ? pointsOfPlane(coordinates) : std::nullopt)
-      return call(std::string(kind.word), *points);
+      return call(std::string(kind.word), {points->begin(), points->end()});
     return call(std::string(kind.word), coordinates);
   }
 

@@ -1,4 +1,5 @@
 // Explore in a real window: lines that are typed, the list of the scene, one selection for all, what fits.
+#include "app/export/scene_paste.h"
 #include "lessons/typed/read_line.h"
 #include "tests/app/explore_fixture.h"
 
@@ -153,6 +154,59 @@ private slots:
     QVERIFY(!findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
     rows->setData(fixture.row("Q"), Qt::Checked, Qt::CheckStateRole);
     QVERIFY(findMark(fixture.WindowFixture::scene().drawn().figure(), "Q"));
+  }
+
+  void lineWithoutAName_getsOne_andKeepsWhatWasTyped() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"A = (1, 2, 3)", "B = (4, 0, 1)", "C = (2, 6, 1)", "triangle(A, B, C)",
+                             "x + y = 3", "distance(A, B)"})
+      fixture.enter(line);
+    QCOMPARE(fixture.scene().mid(3),
+             (QStringList{"T = triangle(A, B, C)", "E: x + y = 3", "d = point-point(A, B)"}));
+    fixture.enter("angle(E, T)");
+    QCOMPARE(fixture.scene().size(), 6);
+    QCOMPARE(fixture.field().text(), QString("angle(E, T)"));
+    QVERIFY(!fixture.sentence().isEmpty());
+  }
+
+  void fitThatWantsAnObject_takesTheNextOneThatIsClicked() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"A = (1, 2, 3)", "B = (4, 0, 1)", "E: z = 0"})
+      fixture.enter(line);
+    fixture.clickRow("A");
+    QCoreApplication::sendPostedEvents();
+    for (QPushButton *button : fixture.fits().findChildren<QPushButton *>("fit"))
+      if (button->text().startsWith("distance of the points"))
+        button->click();
+    QCoreApplication::processEvents();
+    fixture.clickRow("B");
+    QCoreApplication::processEvents();
+    QCOMPARE(fixture.scene().mid(3), (QStringList{"d = point-point(A, B)"}));
+    fixture.clickRow("A");
+    fixture.clickRow("B");
+    QCOMPARE(fixture.scene().size(), 4); // the wish is fulfilled
+  }
+
+  void selectedObject_thatIsNotThere_tellsWhy_belowThePicture() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"k = 0", "R = (1/k, 2, 3)"})
+      fixture.enter(line);
+    QCOMPARE(fixture.model().shown().description,
+             std::string("R is not there now. This would be divided by zero."));
+    QCOMPARE(fixture.row("R", EntryRows::Value).data().toString(), QString("not there now"));
+    fixture.clickRow("k");
+    QCOMPARE(fixture.model().shown().description, std::string());
+  }
+
+  void textPastedOverThePicture_isLines() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    QGuiApplication::clipboard()->setText("0,5; 1; 2\n4; 5; 6\n");
+    fixture.window.findChild<ScenePaste *>()->paste();
+    QCOMPARE(fixture.scene(), (QStringList{"A = (1/2, 1, 2)", "B = (4, 5, 6)"}));
   }
 
   void menuOfARow_choosesLinesAndLabels_eachAnUndoStep() {

@@ -183,7 +183,11 @@ private slots:
         [](Author &author) {
           QVERIFY(!author.maySave());
           author.type("title", "Sides: two of them");
-          author.type("words", "Look at $f(Q)$ = {f}.");
+          author.type("words", "Look at $f(Q)$ = ");
+          auto &values = author.part<QComboBox>("wordsValues");
+          emit values.activated(values.findText("f"));
+          QTest::keyClicks(&author.part<QPlainTextEdit>("words"), ".");
+          QCOMPARE(author.part<QPlainTextEdit>("words").toPlainText(), QString("Look at $f(Q)$ = {f}."));
           writeQuestion(author);
           QCOMPARE(author.complaint(), QString());
           author.click("addStep");

@@ -1,5 +1,6 @@
 #include "widgets/explore/entry_edits.h"
 
+#include "lessons/scene/scene_looks.h"
 #include "widgets/picture/hand/label_hand.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ QString listed(const std::vector<std::string> &names) {
 } // namespace
 
 bool EntryEdits::edit(const std::vector<Edit> &edits, const QString &description) {
-  const QString refused = m_model.history().editTogether(edits, description);
+  const QString refused =
+      m_model.history().editTogether(keepingColors(m_model.session().scene, edits), description);
   if (!refused.isEmpty())
     emit told(refused);
   return refused.isEmpty();
@@ -44,8 +46,8 @@ bool EntryEdits::replace(const std::string &name, const Entry &entry) {
   return edit({ReplaceEntry{name, entry}}, tr("Change %1").arg(text(name)));
 }
 
-void EntryEdits::rename(const std::string &name, const std::string &newName) {
-  edit({RenameEntry{name, newName}}, tr("Call %1 %2").arg(text(name), text(newName)));
+bool EntryEdits::rename(const std::string &name, const std::string &newName) {
+  return edit({RenameEntry{name, newName}}, tr("Call %1 %2").arg(text(name), text(newName)));
 }
 
 void EntryEdits::remove(const std::vector<std::string> &ids) {

@@ -18,7 +18,7 @@ public:
   bool addAll(const std::vector<Entry> &entries);
   /// Puts an entry in the place of the one of this name, which need not be its own.
   bool replace(const std::string &name, const Entry &entry);
-  void rename(const std::string &name, const std::string &newName);
+  bool rename(const std::string &name, const std::string &newName);
   /// Takes away the entries of these objects, and with them what looks at them.
   void remove(const std::vector<std::string> &ids);
   /// By so many places, down or up.

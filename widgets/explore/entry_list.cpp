@@ -8,6 +8,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
 
 #include <algorithm>
 #include <utility>
@@ -64,11 +65,14 @@ EntryList::EntryList(SessionModel &model, SceneSelection &selection, EntryEdits 
   header()->setSectionResizeMode(QHeaderView::Stretch);
   header()->setSectionResizeMode(EntryRows::Name, QHeaderView::ResizeToContents);
   header()->setResizeContentsPrecision(0); // of what is seen: a drag tells of all rows in each frame
+  connect(verticalScrollBar(), &QScrollBar::valueChanged, this,
+          [this] { resizeColumnToContents(EntryRows::Name); });
   connect(&selection, &SceneSelection::changed, this, &EntryList::followSelection);
   connect(m_rows, &EntryRows::modelReset, this, &EntryList::followSelection);
   connect(this, &EntryList::doubleClicked, this, &EntryList::askForLine);
-  connect(m_rows, &EntryRows::renamed, &edits, [&edits](const QString &name, const QString &newName) {
-    edits.rename(name.toStdString(), newName.toStdString());
+  connect(m_rows, &EntryRows::renamed, this, [this](const QString &name, const QString &newName) {
+    if (m_edits.rename(name.toStdString(), newName.toStdString()))
+      m_selection.set({newName.toStdString()});
   });
   connect(m_rows, &EntryRows::hiddenChosen, &edits,
           [&edits](const QString &name, bool hidden) { edits.setHidden(name.toStdString(), hidden); });

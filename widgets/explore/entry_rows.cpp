@@ -119,8 +119,8 @@ QString EntryRows::tipIn(int row) const {
     const OfferedObject *made = findOffered(m_model.evaluation(), idIn(row));
     return made ? QString::fromStdString(made->whyNot) : QString();
   }
-  if (evaluated->isConstruction() || !evaluated->missing.empty())
-    return QString::fromStdString(evaluated->outcome->told->description);
+  if (const std::string &told = evaluated->outcome->told->description; !told.empty())
+    return QString::fromStdString(told);
   return QString::fromStdString(evaluated->looksAt.front()->object.kind().noun());
 }
 

@@ -5,7 +5,6 @@
 #include "widgets/explore/number_slider.h"
 #include "widgets/scene_selection.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -19,32 +18,21 @@ constexpr QMargins panelMargins(14, 10, 14, 6);
 /// The list has room for so many rows, whatever stands below it.
 constexpr int fewestRows = 5;
 /// What can be made of the selection has so much room, in lines of type; what is more is scrolled.
-constexpr int mostLinesOfFits = 9;
+constexpr int linesOfFits = 8;
 
-/// A part that is as high as what is in it, up to a height beyond which it is scrolled.
-class LowScroll : public QScrollArea {
+/// A part that keeps its height, whatever is in it: the rows of the list above it stay under the pointer of
+/// who selects several.
+class SteadyScroll : public QScrollArea {
 public:
-  explicit LowScroll(QWidget &content) {
+  explicit SteadyScroll(QWidget &content) {
     setWidget(&content);
     setWidgetResizable(true);
     setFrameShape(NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   }
-  [[nodiscard]] QSize sizeHint() const override {
-    const int width = std::max(viewport()->width(), 1);
-    const int high =
-        widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
-    return {width, std::min(high, mostLinesOfFits * fontMetrics().lineSpacing())};
-  }
+  [[nodiscard]] QSize sizeHint() const override { return {0, linesOfFits * fontMetrics().lineSpacing()}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
-
-protected:
-  bool eventFilter(QObject *watched, QEvent *event) override {
-    if (event->type() == QEvent::LayoutRequest)
-      updateGeometry();
-    return QScrollArea::eventFilter(watched, event);
-  }
 };
 
 } // namespace
@@ -53,7 +41,7 @@ ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
     : QWidget(parent), m_model(model), m_selection(new SceneSelection(this)),
       m_edits(new EntryEdits(model, this)), m_list(new EntryList(model, *m_selection, *m_edits)),
       m_slider(new NumberSlider(model)), m_fits(new FitsBox(model, *m_selection, *m_edits)),
-      m_discoveries(new DiscoveryBox(model, *m_selection)), m_welcome(new QLabel) {
+      m_welcome(new QLabel) {
   setObjectName("explorePanel");
   m_welcome->setObjectName("exploreWelcome");
   m_welcome->setTextFormat(Qt::RichText);
@@ -72,8 +60,10 @@ ExplorePanel::ExplorePanel(SessionModel &model, QWidget *parent)
   auto *offers = new QVBoxLayout(below);
   offers->setContentsMargins(0, 0, 0, 0);
   offers->addWidget(m_fits);
-  offers->addWidget(m_discoveries);
-  column->addWidget(new LowScroll(*below));
+  offers->addWidget(new DiscoveryBox(model, *m_selection));
+  offers->addStretch();
+  m_offers = new SteadyScroll(*below);
+  column->addWidget(m_offers);
   m_list->setMinimumHeight(fewestRows * 2 * fontMetrics().lineSpacing());
   column->addWidget(m_welcome, 1);
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePanel::showScene);
@@ -89,8 +79,7 @@ void ExplorePanel::setTheme(const Theme &theme) { m_list->setTheme(theme); }
 void ExplorePanel::showScene() {
   const bool isEmpty = m_model.session().scene.entries.size() == 0;
   m_list->setVisible(!isEmpty);
-  m_fits->setVisible(!isEmpty);
-  m_discoveries->setVisible(!isEmpty);
+  m_offers->setVisible(!isEmpty);
   m_welcome->setVisible(isEmpty);
 }
 

@@ -34,7 +34,7 @@ private:
   EntryList *m_list;
   NumberSlider *m_slider;
   FitsBox *m_fits;
-  DiscoveryBox *m_discoveries;
+  QWidget *m_offers; ///< what fits, and what holds
   QLabel *m_welcome;
 };
 

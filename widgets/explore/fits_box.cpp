@@ -14,7 +14,9 @@
 #include <QVBoxLayout>
 
 #include <QVariant>
+
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -27,21 +29,16 @@ QString inWords(std::string_view name) {
   return QString::fromUtf8(name.data(), static_cast<int>(name.size())).replace('-', ' ');
 }
 
-std::string_view wordOf(const Fit &fit) {
-  const auto *use = std::get_if<ConstructionUse>(&fit.entry.content);
-  return use ? findConstruction(use->id)->word : std::string_view();
-}
-
-/// What an entry would be, in words: “triangle”; of a construction its word, “distance”, where no other of
-/// the fits has it, else its name, “plane plane”.
+/// What an entry would be, in words: “triangle”, “distance of the points”; of several of a kind their lines,
+/// “plane(A, B, C)”.
 QString titleOf(const Fit &fit, const std::vector<Fit> &all) {
-  if (const Kind *kind = kindOf(fit.entry))
-    return inWords(kind->word);
-  const std::string_view word = wordOf(fit);
-  const auto haveWord = std::count_if(all.begin(), all.end(), [&](const Fit &each) {
-    return wordOf(each) == word && each.wanted.has_value() == fit.wanted.has_value();
-  });
-  return inWords(!word.empty() && haveWord == 1 ? word : std::get<ConstructionUse>(fit.entry.content).id);
+  if (const Kind *kind = kindOf(fit.entry)) {
+    const auto ofItsKind =
+        std::count_if(all.begin(), all.end(), [kind](const Fit &each) { return kindOf(each.entry) == kind; });
+    const QString line = QString::fromStdString(lineFor(fit.entry, language().decimalMark));
+    return ofItsKind == 1 ? inWords(kind->word) : line.section(" = ", 1);
+  }
+  return QString::fromStdString(findConstruction(std::get<ConstructionUse>(fit.entry.content).id)->title());
 }
 
 QString nounFor(const WantedObject &wanted) { return QString::fromStdString(nounOf(wanted.kind)); }
@@ -58,9 +55,32 @@ FitsBox::FitsBox(SessionModel &model, SceneSelection &selection, EntryEdits &edi
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(gap);
   column->addWidget(m_heading);
-  connect(&selection, &SceneSelection::changed, this, &FitsBox::showFits);
+  connect(&selection, &SceneSelection::changed, this, &FitsBox::takeSelection);
   connect(&model, &SessionModel::outcomeChanged, this, &FitsBox::showFits);
   showFits();
+}
+
+void FitsBox::takeSelection() {
+  const auto wanting = std::exchange(m_wanting, {});
+  const auto entry = wanting ? completed(*wanting) : std::nullopt;
+  showFits();
+  if (entry) // behind all others that are told of the selection
+    QMetaObject::invokeMethod(
+        this, [this, entry] { add(*entry); }, Qt::QueuedConnection);
+}
+
+std::optional<Entry> FitsBox::completed(const Fit &wanting) const {
+  const auto &ids = m_selection.ids();
+  std::vector<std::string> all = m_shownFor;
+  if (ids.empty() || std::find(all.begin(), all.end(), ids.back()) != all.end())
+    return {};
+  all.push_back(ids.back());
+  const auto &wanted = std::get<ConstructionUse>(wanting.entry.content).id;
+  for (const Fit &fit : fitsFor(m_model.session().scene, all))
+    if (const auto *use = std::get_if<ConstructionUse>(&fit.entry.content);
+        use && !fit.wanted && use->id == wanted)
+      return fit.entry;
+  return {};
 }
 
 void FitsBox::showFits() {
@@ -111,10 +131,15 @@ void FitsBox::addButton(const Fit &fit) {
 }
 
 void FitsBox::take(const Fit &fit) {
-  if (fit.wanted)
-    m_heading->setText(tr("Select %1 as well, with Ctrl.").arg(nounFor(*fit.wanted)));
-  else if (m_edits.add(fit.entry))
-    m_selection.set({fit.entry.name});
+  if (!fit.wanted)
+    return add(fit.entry);
+  m_wanting = fit;
+  m_heading->setText(tr("Now click %1, in the picture or in the list.").arg(nounFor(*fit.wanted)));
+}
+
+void FitsBox::add(const Entry &entry) {
+  if (m_edits.add(entry))
+    m_selection.set({entry.name});
 }
 
 Figure FitsBox::ghostOf(const Entry &entry) const {

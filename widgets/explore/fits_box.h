@@ -15,8 +15,8 @@ class FlowLayout;
 class SceneSelection;
 
 /// A button for each entry that fits the selection, and for each that needs one more object: a click adds the
-/// one, or says what is still to be selected for the other. While the pointer is on a button its picture can
-/// be shown as it would be.
+/// one; for the other the next object that is selected is taken, if it fits. While the pointer is on a button
+/// its picture can be shown as it would be.
 class FitsBox : public QWidget {
   Q_OBJECT
 public:
@@ -32,9 +32,14 @@ protected:
   void hideEvent(QHideEvent *event) override;
 
 private:
+  void takeSelection();
   void showFits();
   void addButton(const Fit &fit);
   void take(const Fit &fit);
+  void add(const Entry &entry);
+  /// What the object makes of the fit that wanted one, which was selected last; nothing where it does not
+  /// fit.
+  [[nodiscard]] std::optional<Entry> completed(const Fit &wanting) const;
   /// Of nothing: where something is shown, it goes.
   void preview(const Figure &ghost);
   [[nodiscard]] Figure ghostOf(const Entry &entry) const;
@@ -47,6 +52,7 @@ private:
   std::vector<Fit> m_fits;                 ///< in the order of the buttons
   std::vector<std::string> m_shownFor;     ///< the selection
   std::shared_ptr<const ScenePlan> m_plan; ///< of the scene that they were found in
+  std::optional<Fit> m_wanting;            ///< that somebody has chosen, and that lacks an object
   bool m_isPreviewing = false;
 };
 

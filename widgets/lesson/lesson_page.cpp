@@ -84,8 +84,10 @@ void LessonPage::showStep(const LessonStep &step, int number, const Glossary &gl
     setFocus();
   m_foot->setStep(number);
   makeBlocks(step, glossary);
-  m_scroll->verticalScrollBar()->setValue(0);
+  showTop();
 }
+
+void LessonPage::showTop() { m_scroll->verticalScrollBar()->setValue(0); }
 
 void LessonPage::makeBlocks(const LessonStep &step, const Glossary &glossary) {
   auto *blocks = new StepBlocks(m_typesetter, step, glossary, {m_folder}, m_practice.working(), m_flight);

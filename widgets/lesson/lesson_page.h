@@ -28,6 +28,8 @@ public:
   /// Shows a step, which has this number among those of the lesson, counted from 0, with the glossary that
   /// its words lead to. They come by `showWords`.
   void showStep(const LessonStep &step, int number, const Glossary &glossary);
+  /// Scrolls to what stands first.
+  void showTop();
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
   /// Sets the step's words with what their live values are now. These are asked for again where words come

@@ -1,5 +1,6 @@
 #include "widgets/view/object_hand.h"
 
+#include "lessons/scene/scene_looks.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/mouse_place.h"
 #include "widgets/picture/hand/tool_ghost.h"
@@ -160,7 +161,10 @@ bool ObjectHand::pressKey(const QKeyEvent &event) {
     return true;
   case Qt::Key_Return:
   case Qt::Key_Enter:
-    takeNext();
+    if (m_pointer && canClose(*m_tool)) // whoever has clicked the corners has no more of them
+      goOn(withClosedCorners(*m_tool));
+    else
+      takeNext();
     return true;
   case Qt::Key_Shift:
     turnRoom(true);
@@ -217,9 +221,11 @@ void ObjectHand::setNext(std::optional<ToolPick> next) {
 }
 
 void ObjectHand::takeNext() {
-  if (!m_next)
-    return;
-  ObjectTool tool = withPick(*m_tool, *m_next);
+  if (m_next)
+    goOn(withPick(*m_tool, *m_next));
+}
+
+void ObjectHand::goOn(ObjectTool tool) {
   if (wishOf(tool))
     go(std::move(tool));
   else
@@ -251,8 +257,8 @@ void ObjectHand::make(const ObjectTool &tool) {
     edits.emplace_back(AddEntry{m_model.session().scene.entries.size() + edits.size(), entry});
   const std::string name = plainText(symbolOf(entries.back().name));
   cancel(); // first: it does not go on with what it has made
-  const QString refusal =
-      m_model.history().editTogether(edits, tr("Add %1").arg(QString::fromStdString(name)));
+  const QString refusal = m_model.history().editTogether(keepingColors(m_model.session().scene, edits),
+                                                         tr("Add %1").arg(QString::fromStdString(name)));
   if (!refusal.isEmpty())
     emit refused(refusal);
 }

@@ -70,6 +70,8 @@ private:
   void aim();
   void setNext(std::optional<ToolPick> next);
   void takeNext();
+  /// With one thing more: makes the object if that was the last.
+  void goOn(ObjectTool tool);
   void stepBack();
   void go(ObjectTool tool);
   void make(const ObjectTool &tool);

@@ -149,19 +149,22 @@ void Viewpoint::takeStage() {
 }
 
 void Viewpoint::takeGrown() {
-  if (!m_isAtHome || m_model.history().inGesture())
-    return;
+  if (!m_isAtHome || m_model.history().inGesture() || areInView(placesOf(sight())))
+    return; // who clicks several places finds them where they were
   showAll();
   emit changed();
 }
 
 void Viewpoint::noticeTyped(const std::vector<Place> &places) {
-  if (places.empty())
-    return;
+  if (!places.empty())
+    m_hasTypedAway = !areInView(places);
+}
+
+bool Viewpoint::areInView(const std::vector<Place> &places) const {
   const PixelSize size = m_screen().size;
-  m_hasTypedAway = std::any_of(places.begin(), places.end(), [&](const Place &place) {
+  return std::all_of(places.begin(), places.end(), [&](const Place &place) {
     const auto pixel = m_camera.project(place, size);
-    return !pixel || pixel->x < 0 || pixel->y < 0 || pixel->x > size.width || pixel->y > size.height;
+    return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= size.width && pixel->y <= size.height;
   });
 }
 

@@ -59,7 +59,8 @@ public:
   /// Looks at the same part of the scene where the model's stage is another one, with all of it in view.
   void takeStage();
 
-  /// There is more in the figure, or less: at home all of it stays in view.
+  /// There is more in the figure, or less: at home all of it stays in view, and the camera where it is as
+  /// long as it is.
   void takeGrown();
   /// What was typed put something to these places, with the view as it is.
   void noticeTyped(const std::vector<Place> &places);
@@ -80,6 +81,7 @@ private:
   void keep(const Camera &camera);
   /// All of the figure in view, from the direction that the camera has.
   void showAll();
+  [[nodiscard]] bool areInView(const std::vector<Place> &places) const;
 
   SessionModel &m_model;
   std::function<Screen()> m_screen;

@@ -51,6 +51,7 @@ sphereThroughTeaching(std::string_view id, const std::vector<std::string> &roles
   const HasPlace<Out> eachEquation = [](const Out &at, std::size_t /*index*/) { return at.hasSphere; };
   return {.id = id,
           .word = "circumsphere",
+          .title = [] { return words("circumscribed sphere"); },
           .roles = roles,
           .makes = {{"M", &Out::hasSphere, &Out::M},
                     {"S", SphereObject::kind, &Out::makesSphere,

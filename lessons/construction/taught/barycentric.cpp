@@ -289,6 +289,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction barycentric() {
   return taught<Out, TriangleObject, PointObject>(
       {.id = "barycentric",
+       .title = [] { return words("barycentric coordinates"); },
        .roles = {"T", "Q"},
        .letters = {"n", "A", "n0", "n1", "n2", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
        .cases = {"interior", "edge", "vertex", "outside", "off-plane", "coincident", "collinear"},

@@ -309,6 +309,7 @@ ValueTable<Out> values() {
 Construction camera_ray() {
   return taught<Out, PointObject, ScreenObject, PointObject>(
       {.id = "camera-ray",
+       .title = [] { return words("ray of the eye through the screen"); },
        .roles = {"Q", "S", "X"},
        .makes = {{"L", RayObject::kind, &Out::isSeen,
                   [](const Out &at) {

@@ -280,6 +280,7 @@ ValueTable<Out> values() {
 Construction clipping() {
   return taught<Out, PlaneObject, PointObject, PointObject, PointObject>(
       {.id = "clipping",
+       .title = [] { return words("polygon cut off at the plane"); },
        .roles = {"E", "A", "B", "C"},
        .letters = {"f", "t1", "t2", "t3", "H1", "H2", "H3"},
        .cases = {"cut", "whole", "nothing", "touch", "no-triangle", "zero-normal"},

@@ -367,6 +367,7 @@ Construction closest_points() {
   return taught<Out, LineObject, LineObject>(
       {.id = "closest-points",
        .word = "distance",
+       .title = [] { return words("distance of the lines, closest points"); },
        .roles = {"g", "h"},
        .makes = {{"F", &Out::hasPair, &Out::F}, {"G", &Out::hasPair, &Out::G}},
        .letters = {"w", "H", "R", "n", "s", "t", "V", "dist"},

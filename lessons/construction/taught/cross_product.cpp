@@ -261,6 +261,7 @@ Construction cross_product() {
   return taught<Out, VectorObject, VectorObject>(
       {.id = "cross-product",
        .word = "cross",
+       .title = [] { return words("cross product"); },
        .roles = {"u", "v"},
        .letters = {"n", "θ"},
        .cases = {"proper", "same-direction", "opposite", "zero-vector"},

@@ -291,6 +291,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction determinant() {
   return taught<Out, VectorObject, VectorObject, VectorObject>(
       {.id = "determinant",
+       .title = [] { return words("determinant, volume"); },
        .roles = {"u", "v", "w"},
        .letters = {"n", "D", "V", "T", "h", "p", "q"},
        .cases = {"right-handed", "left-handed", "flat", "parallel", "zero-vector"},

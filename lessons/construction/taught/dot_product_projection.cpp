@@ -228,6 +228,7 @@ Construction dot_product_projection() {
   return taught<Out, VectorObject, VectorObject>(
       {.id = "dot-product-projection",
        .word = "dot",
+       .title = [] { return words("dot product, projection"); },
        .roles = {"v", "w"},
        .letters = {"θ", "e", "h"},
        .cases = {"acute", "right", "obtuse", "same-direction", "opposite", "zero-vector"},

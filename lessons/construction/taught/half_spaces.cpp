@@ -156,6 +156,7 @@ ValueRow<Out> countRow(PointPlaneCase side, Sentence label) {
 Construction half_spaces() {
   return taught<Out, PlaneObject, PointObject, PointObject, PointObject, PointObject>(
       {.id = "half-spaces",
+       .title = [] { return words("sides of the plane"); },
        .roles = {"E", "A", "B", "C", "D"},
        .letters = {"f"},
        .cases = {"split", "one-side", "zero-normal"},

@@ -103,6 +103,7 @@ Construction line_angle() {
   return taught<Out, LineObject, LineObject>(
       {.id = "line-angle",
        .word = "angle",
+       .title = [] { return words("angle of the lines"); },
        .roles = {"g", "h"},
        .letters = {"φ"},
        .cases = {"parallel", "oblique", "perpendicular", "zero-direction"},

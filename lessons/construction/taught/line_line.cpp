@@ -289,6 +289,7 @@ Construction line_line() {
   return taught<Out, LineObject, LineObject>(
       {.id = "line-line",
        .word = "intersect",
+       .title = [] { return words("where the lines meet"); },
        .roles = {"g", "h"},
        .makes = {{"F", &Out::isCrossing, &Out::F}, {"G", &Out::isCrossing, &Out::G}},
        .letters = {"p", "T", "c", "s", "t", "dist"},

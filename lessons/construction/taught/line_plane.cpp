@@ -116,6 +116,7 @@ Construction line_plane() {
   return taught<Out, LineObject, PlaneObject>(
       {.id = "line-plane",
        .word = "intersect",
+       .title = [] { return words("where the line meets the plane"); },
        .roles = {"g", "E"},
        .makes = {{"S", &Out::hasPoint, &Out::S}},
        .letters = {"X", "w"},

@@ -100,6 +100,7 @@ Construction line_plane_angle() {
   return taught<Out, LineObject, PlaneObject>(
       {.id = "line-plane-angle",
        .word = "angle",
+       .title = [] { return words("angle of line and plane"); },
        .roles = {"g", "E"},
        .letters = {"α"},
        .cases = {"parallel", "oblique", "perpendicular", "zero-direction", "zero-normal"},

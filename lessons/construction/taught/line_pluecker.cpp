@@ -140,6 +140,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction line_pluecker() {
   return taught<Out, LineObject>(
       {.id = "line-pluecker",
+       .title = [] { return words("Plücker coordinates of the lines"); },
        .roles = {"g"},
        .cases = {"line", "zero-direction"},
        .values = {{named::vector("direction"), &Out::isReal, [](const Out &at) { return at.v; }},

@@ -364,6 +364,7 @@ ValueTable<Out> values() {
 Construction line_ray_segment() {
   return taught<Out, LineObject, PointObject, PointObject>(
       {.id = "line-ray-segment",
+       .title = [] { return words("is the point on the line?"); },
        .roles = {"g", "P", "Q"},
        .makes = {{"B", &Out::isLine, &Out::B}},
        .letters = {"t", "tx", "ty", "tz", "tQ"},

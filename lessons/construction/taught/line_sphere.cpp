@@ -103,6 +103,7 @@ Construction line_sphere() {
   return taught<Out, LineObject, SphereObject>(
       {.id = "line-sphere",
        .word = "intersect",
+       .title = [] { return words("where the line meets the sphere"); },
        .roles = {"g", "S"},
        .makes = {contactPoint("H1", 0), contactPoint("H2", 1), {"M", &Out::hasLine, &Out::M}},
        .letters = {"w", "a", "b", "k", "D", "t1", "t2", "n1", "n2", "h", "s"},

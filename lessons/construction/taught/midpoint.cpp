@@ -47,6 +47,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction midpoint() {
   return taught<Out, PointObject, PointObject>(
       {.id = "midpoint",
+       .title = [] { return words("midpoint"); },
        .roles = {"A", "B"},
        .makes = {{"M", always, &Out::M}},
        .letters = {"w"},

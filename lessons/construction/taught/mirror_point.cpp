@@ -87,6 +87,7 @@ Construction mirror_point() {
   return taught<Out, PlaneObject, PointObject>(
       {.id = "mirror-point",
        .word = "mirror",
+       .title = [] { return words("mirror image"); },
        .roles = {"E", "Q"},
        .makes = {{"F", &Out::hasPlane, &Out::F}, {"S", &Out::hasPlane, &Out::S}},
        .letters = {"f", "dist"},

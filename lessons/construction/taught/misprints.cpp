@@ -393,6 +393,7 @@ ValueTable<Out> verdictRows() {
 Construction misprints() {
   return taught<Out, TriangleObject, RayObject>(
       {.id = "misprints",
+       .title = [] { return words("misprints in lecture notes"); },
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
        .letters = {"u", "v", "n", "D", "a", "b", "c", "Qx", "Qy", "Qz",

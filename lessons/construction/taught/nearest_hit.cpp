@@ -354,6 +354,7 @@ ValueTable<Out> values() {
 Construction nearest_hit() {
   return taught<Out, RayObject, NumberObject, Several<MeshObject>>(
       {.id = "nearest-hit",
+       .title = [] { return words("nearest hit"); },
        .roles = {"L", "i", "meshes"},
        .makes = {{"H", &Out::isHit, &Out::H}, {"T", TriangleObject::kind, &Out::hasTriangle, chosenTriangle}},
        .letters = {"λH"},

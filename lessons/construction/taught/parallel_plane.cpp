@@ -79,6 +79,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction parallel_plane() {
   return taught<Out, PlaneObject, PointObject>(
       {.id = "parallel-plane",
+       .title = [] { return words("parallel plane through the point"); },
        .roles = {"E", "Q"},
        .makes = {{"F", PlaneObject::kind, &Out::hasPlane, [](const Out &at) { return planeOf(at.F); }}},
        .letters = {"d", "f", "H", "dist"},

@@ -83,6 +83,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction perpendicular_bisector() {
   return taught<Out, PointObject, PointObject>(
       {.id = "perpendicular-bisector",
+       .title = [] { return words("perpendicular bisector"); },
        .roles = {"A", "B"},
        .makes = {{"E", PlaneObject::kind, &Out::hasPlane, [](const Out &at) { return planeOf(at.E); }}},
        .letters = {"d", "dist"},

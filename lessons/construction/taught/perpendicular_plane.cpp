@@ -88,6 +88,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction perpendicular_plane() {
   return taught<Out, LineObject, PointObject>(
       {.id = "perpendicular-plane",
+       .title = [] { return words("perpendicular plane through the point"); },
        .roles = {"g", "Q"},
        .makes = {{"E", PlaneObject::kind, &Out::hasPlane, [](const Out &at) { return planeOf(at.E); }},
                  {"S", &Out::hasPlane, &Out::S}},

@@ -98,6 +98,7 @@ Construction plane_angle() {
   return taught<Out, PlaneObject, PlaneObject>(
       {.id = "plane-angle",
        .word = "angle",
+       .title = [] { return words("angle of the planes"); },
        .roles = {"E", "F"},
        .letters = {"φ"},
        .cases = {"parallel", "oblique", "perpendicular", "zero-normal"},

@@ -204,6 +204,7 @@ ToldValue coefficientsOf(const Out &at, const Bisector &plane) {
 Construction plane_bisectors() {
   return taught<Out, PlaneObject, PlaneObject>(
       {.id = "plane-bisectors",
+       .title = [] { return words("planes that halve the angle"); },
        .roles = {"E", "F"},
        .makes = {{"G", PlaneObject::kind, &Out::makesFirst,
                   [](const Out &at) { return planeOf(at.G.terms); }},

@@ -122,6 +122,7 @@ Construction plane_distance() {
   return taught<Out, PlaneObject, PlaneObject>(
       {.id = "plane-distance",
        .word = "distance",
+       .title = [] { return words("distance of the planes"); },
        .roles = {"E", "F"},
        .letters = {"c", "w", "dist"},
        .cases = {"meet", "parallel", "coincident", "zero-normal"},

@@ -172,6 +172,7 @@ ToldValue distanceValue(const Out &at) {
 Construction plane_implicit() {
   return taught<Out, PlaneObject>(
       {.id = "plane-implicit",
+       .title = [] { return words("equation, step by step"); },
        .roles = {"E"},
        .makes = {{"P1", &Out::hasPlane, &Out::P1}},
        .cases = {"plane", "zero-normal"},

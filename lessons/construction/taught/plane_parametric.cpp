@@ -229,6 +229,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction plane_parametric() {
   return taught<Out, TriangleObject, PointObject>(
       {.id = "plane-parametric",
+       .title = [] { return words("the point by s and t"); },
        .roles = {"T", "P"},
        .makes = {{"P3", always, &Out::P3}},
        .letters = {"u", "v", "n", "s", "t"},

@@ -139,6 +139,7 @@ Construction plane_plane() {
   return taught<Out, PlaneObject, PlaneObject>(
       {.id = "plane-plane",
        .word = "intersect",
+       .title = [] { return words("line of intersection"); },
        .roles = {"E", "F"},
        .makes = {{"g", LineObject::kind, &Out::hasLine,
                   [](const Out &at) {

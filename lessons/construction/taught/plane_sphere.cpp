@@ -209,6 +209,7 @@ Construction plane_sphere() {
   return taught<Out, PlaneObject, SphereObject>(
       {.id = "plane-sphere",
        .word = "intersect",
+       .title = [] { return words("circle of intersection"); },
        .roles = {"E", "S"},
        .makes = {{"M", &Out::areBoth, &Out::M}},
        .letters = {"f", "h", "q", "ρ"},

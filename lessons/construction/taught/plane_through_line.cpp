@@ -101,6 +101,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction plane_through_line() {
   return taught<Out, LineObject, PointObject>(
       {.id = "plane-through-line",
+       .title = [] { return words("plane through line and point"); },
        .roles = {"g", "Q"},
        .makes = {{"E", PlaneObject::kind, &Out::hasPlane, [](const Out &at) { return planeOf(at.E); }}},
        .letters = {"w", "d", "dist"},

@@ -99,6 +99,7 @@ Construction point_line() {
   return taught<Out, PointObject, LineObject>(
       {.id = "point-line",
        .word = "distance",
+       .title = [] { return words("distance from the line"); },
        .roles = {"Q", "g"},
        .makes = {{"F", &Out::hasLine, &Out::F}},
        .letters = {"w", "t", "h", "dist"},

@@ -45,6 +45,7 @@ Construction point_point() {
   return taught<Out, PointObject, PointObject>(
       {.id = "point-point",
        .word = "distance",
+       .title = [] { return words("distance of the points"); },
        .roles = {"A", "B"},
        .letters = {"w", "dist"},
        .cases = {"apart", "same"},

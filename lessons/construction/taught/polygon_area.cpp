@@ -132,6 +132,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction polygon_area() {
   return taught<Out, PolygonObject>({.id = "polygon-area",
                                      .word = "area",
+                                     .title = [] { return words("area"); },
                                      .roles = {"W"},
                                      .letters = {"n1", "n2", "n3", "n4", "n5", "n6", "n", "A"},
                                      .cases = {"simple", "self-meeting", "on-one-line", "not-planar"},

@@ -328,6 +328,7 @@ Construction ray_box_slabs() {
   return taught<Out, BoxObject, RayObject>(
       {.id = "ray-box-slabs",
        .word = "intersect",
+       .title = [] { return words("where the ray meets the box"); },
        .roles = {"K", "L"},
        .makes = {{"H1", &Out::isMet, &Out::H1}, {"H2", &Out::isMet, &Out::H2}},
        .letters = {"inx", "outx", "Ax", "Bx", "iny", "outy", "Ay", "By", "inz", "outz", "Az", "Bz", "tin",

@@ -218,6 +218,7 @@ Construction ray_plane_dot() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "ray-plane-dot",
        .word = "intersect",
+       .title = [] { return words("where the ray meets the plane"); },
        .roles = {"E", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
        .letters = {"d", "f", "a", "b", "t", "nf"},

@@ -296,6 +296,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction ray_plane_picture() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "ray-plane-picture",
+       .title = [] { return words("ray and plane as a flat picture"); },
        .roles = {"G", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
        .letters = {"D", "vd", "v0", "t", "O", "A", "B", "C", "E", "F", "nf"},

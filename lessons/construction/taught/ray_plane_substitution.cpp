@@ -358,6 +358,7 @@ LineTable<Out> lines() {
 Construction ray_plane_substitution() {
   return taught<Out, Several<PlaneObject>, RayObject>(
       {.id = "ray-plane-substitution",
+       .title = [] { return words("ray put into the equation"); },
        .roles = {"planes", "L"},
        .makes = {{"H", &Out::isHit, &Out::H}},
        .letters = {"t"},

@@ -351,22 +351,24 @@ ValueTable<Out> values() {
 } // namespace
 
 Construction ray_polygon_pluecker() {
-  return taught<Out, PolygonObject, RayObject>({.id = "ray-polygon-pluecker",
-                                                .word = "intersect",
-                                                .roles = {"W", "L"},
-                                                .makes = {{"I", &Out::crosses, &Out::I}},
-                                                .letters = joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},
-                                                                   numbered("e", mostCorners),
-                                                                   numbered("m", mostCorners),
-                                                                   numbered("p", mostCorners)}),
-                                                .cases = {"hit", "behind", "miss", "parallel", "in-plane",
-                                                          "zero-direction", "not-planar", "not-convex"},
-                                                .values = values(),
-                                                .lines = lines(),
-                                                .marks = joined({numbered("p", mostCorners), {"n", "I"}}),
-                                                .tell = tell,
-                                                .draw = draw,
-                                                .nearby = nearby});
+  return taught<Out, PolygonObject, RayObject>(
+      {.id = "ray-polygon-pluecker",
+       .word = "intersect",
+       .title = [] { return words("where the ray meets the polygon"); },
+       .roles = {"W", "L"},
+       .makes = {{"I", &Out::crosses, &Out::I}},
+       .letters = joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},
+                          numbered("e", mostCorners),
+                          numbered("m", mostCorners),
+                          numbered("p", mostCorners)}),
+       .cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "not-planar",
+                 "not-convex"},
+       .values = values(),
+       .lines = lines(),
+       .marks = joined({numbered("p", mostCorners), {"n", "I"}}),
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

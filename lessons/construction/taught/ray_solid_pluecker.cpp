@@ -493,6 +493,7 @@ Construction ray_solid_pluecker() {
   return taught<Out, SolidObject, RayObject>(
       {.id = "ray-solid-pluecker",
        .word = "intersect",
+       .title = [] { return words("where the ray meets the solid"); },
        .roles = {"K", "L"},
        .makes = {madePoint("H1", 0), madePoint("H2", 1)},
        .letters = joined({{"m", "k", "N", "t1", "t2", "n1", "n2"},

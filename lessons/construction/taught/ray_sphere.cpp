@@ -150,6 +150,7 @@ Construction ray_sphere() {
   return taught<Out, SphereObject, RayObject>(
       {.id = "ray-sphere",
        .word = "intersect",
+       .title = [] { return words("where the ray meets the sphere"); },
        .roles = {"S", "L"},
        .makes = {{"M", &Out::hasLine, &Out::M}},
        .letters = {"w", "a", "b", "k", "D", "t1", "t2", "H1", "H2", "n1", "n2", "h", "s"},

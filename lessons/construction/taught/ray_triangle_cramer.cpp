@@ -266,6 +266,7 @@ Figure draw(const Out &at) {
 Construction ray_triangle_cramer() {
   return taught<Out, TriangleObject, RayObject>(
       {.id = "ray-triangle-cramer",
+       .title = [] { return words("ray and triangle by Cramer's rule"); },
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
        .letters = {"a", "b", "c", "p", "q", "D", "D1", "D2", "D3", "ha", "hc", "σ", "τ", "λ"},

@@ -284,6 +284,7 @@ Construction ray_triangle_perp() {
   return taught<Out, TriangleObject, RayObject>(
       {.id = "ray-triangle-perp",
        .word = "intersect",
+       .title = [] { return words("where the ray meets the triangle"); },
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
        .letters = {"u", "v", "n", "G", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},

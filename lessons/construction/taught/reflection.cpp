@@ -274,6 +274,7 @@ Construction reflection() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "reflection",
        .word = "reflect",
+       .title = [] { return words("direction of reflection"); },
        .roles = {"E", "L"},
        .makes = {{"H", &Out::crosses, &Out::H}},
        .letters = {"t", "a", "h", "θ"},

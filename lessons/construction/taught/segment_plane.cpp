@@ -155,6 +155,7 @@ Construction segment_plane() {
   return taught<Out, SegmentObject, PlaneObject>(
       {.id = "segment-plane",
        .word = "intersect",
+       .title = [] { return words("where the segment crosses the plane"); },
        .roles = {"s", "E"},
        .makes = {{"S", &Out::hasPoint, &Out::S}},
        .letters = {"f", "t"},

@@ -406,6 +406,7 @@ ValueTable<Out> values() {
 Construction shadow() {
   return taught<Out, PlaneObject, PointObject, PointObject, PointObject, PointObject, VectorObject>(
       {.id = "shadow",
+       .title = [] { return words("shadow on the plane"); },
        .roles = {"E", "Q", "A", "B", "C", "r"},
        .letters = {"tA", "tB", "tC", "tM", "kA", "kB", "kC", "kM", "S", "L", "M", "p"},
        .cases = {"both", "sun", "lamp", "neither", "no-sunlight", "zero-normal"},

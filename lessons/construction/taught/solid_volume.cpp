@@ -170,6 +170,7 @@ Construction solid_volume() {
     letters.push_back("D" + std::to_string(i));
   return taught<Out, SolidObject>({.id = "solid-volume",
                                    .word = "volume",
+                                   .title = [] { return words("volume"); },
                                    .roles = {"K"},
                                    .letters = std::move(letters),
                                    .cases = {"solid", "flat", "self-meeting", "not-planar"},

@@ -464,6 +464,7 @@ Figure draw(const Out &at) {
 Construction three_methods() {
   return taught<Out, TriangleObject, RayObject>(
       {.id = "three-methods",
+       .title = [] { return words("ray and triangle by three methods"); },
        .roles = {"T", "L"},
        .makes = {{"I", &Out::crosses, &Out::I}},
        .letters = {"u",  "v", "c",  "n",  "G",  "w", "s",  "t",  "λ",  "p", "q",  "D",  "D1", "D2",

@@ -213,6 +213,7 @@ Construction three_planes() {
   return taught<Out, PlaneObject, PlaneObject, PlaneObject>(
       {.id = "three-planes",
        .word = "intersect",
+       .title = [] { return words("common point of the planes"); },
        .roles = {"E", "F", "G"},
        .makes = {{"S", &Out::hasPoint, &Out::S}},
        .letters = {"a", "b", "c", "D", "X"},

@@ -124,6 +124,7 @@ Figure draw(const Out &at) {
 Construction torpedo_flight() {
   return taught<Out, RayObject, NumberObject, NumberObject, Several<MeshObject>>(
       {.id = "torpedo-flight",
+       .title = [] { return words("flight of the torpedo"); },
        .roles = {"L", "frame", "seed", "meshes"},
        .letters = {"λM", "M"},
        .cases = {"waiting", "flying", "exploded", "zero-direction"},

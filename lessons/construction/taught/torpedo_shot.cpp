@@ -160,6 +160,7 @@ Figure draw(const Out &at) {
 Construction torpedo_shot() {
   return taught<Out, UfoObject, NumberObject, NumberObject>(
       {.id = "torpedo-shot",
+       .title = [] { return words("shot of the torpedo"); },
        .roles = {"U", "frame", "seed"},
        .makes = {{"L", RayObject::kind, &Out::canFire,
                   [](const Out &at) {

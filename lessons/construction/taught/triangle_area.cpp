@@ -99,6 +99,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction triangle_area() {
   return taught<Out, TriangleObject>({.id = "triangle-area",
                                       .word = "area",
+                                      .title = [] { return words("area of the triangle"); },
                                       .roles = {"T"},
                                       .letters = {"u", "v", "n", "A", "h"},
                                       .cases = {"proper", "coincident", "collinear"},

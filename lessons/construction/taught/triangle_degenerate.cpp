@@ -237,6 +237,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
 Construction triangle_degenerate() {
   return taught<Out, TriangleObject>(
       {.id = "triangle-degenerate",
+       .title = [] { return words("is it a triangle?"); },
        .roles = {"T"},
        .letters = {"u", "v", "n", "G", "θ"},
        .cases = {"proper", "coincident", "collinear"},

@@ -236,7 +236,7 @@ std::optional<Named> readOneOf(FieldReader &fields, const char *field,
 void readLook(FieldReader &fields, Entry &entry) {
   if (kindOf(entry)) {
     entry.color = readOneOf<Hue>(fields, colorField, findHue, hueNames());
-    entry.line = readOneOf<LineStyle>(fields, lineField, findLineStyle, lineStyleNames());
+    entry.line = readOneOf<LineStyle>(fields, strokeField, findLineStyle, lineStyleNames());
     entry.isLocked = fields.truth(lockedField, false);
   }
   entry.label = readOneOf<LabelText>(fields, labelField, findLabelText, labelTextNames());
@@ -254,7 +254,7 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields, const IsName &isN
   }
   for (const Kind &kind : kinds())
     if (const DocumentNode *coordinates = fields.optional(kind.word)) {
-      fields.allowOnly({"name", kind.word, colorField, lineField, labelField, hiddenField, lockedField});
+      fields.allowOnly({"name", kind.word, colorField, strokeField, labelField, hiddenField, lockedField});
       if (followsOthers(*coordinates, kind)) {
         entry.content = readDerived(*coordinates, fields.pathOf(kind.word), fields, kind, isName);
       } else {

@@ -67,7 +67,7 @@ Json jsonOf(const Entry &entry) {
   if (entry.color)
     json[colorField] = nameOf(*entry.color);
   if (entry.line)
-    json[lineField] = nameOf(*entry.line);
+    json[strokeField] = nameOf(*entry.line);
   if (entry.label)
     json[labelField] = nameOf(*entry.label);
   if (entry.isHidden)

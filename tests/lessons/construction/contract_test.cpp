@@ -576,6 +576,17 @@ TEST_P(EveryConstruction, OnFractionsOfTwelveDigits_IsRightAndMarksWhatItRounds)
 
 TEST_P(EveryConstruction, OnLargeIntegers_IsRight) { checkScenesOfSeveralCases(Writing::LargeIntegers); }
 
+TEST(Contract, Titles_TellConstructionsOfTheSameObjectsApart) {
+  std::set<std::pair<std::vector<std::string_view>, std::string>> titles;
+  for (const Construction &construction : constructions()) {
+    std::vector<std::string_view> kinds;
+    for (const ConstructionRole &role : construction.roles)
+      kinds.push_back(role.kind);
+    EXPECT_FALSE(construction.title().empty()) << construction.id;
+    EXPECT_TRUE(titles.emplace(std::move(kinds), construction.title()).second) << construction.id;
+  }
+}
+
 TEST(Contract, TheDocumentedReference_IsThatOfTheProgram) {
   const auto written = readFile(DOCUMENTATION_FOLDER "/constructions.md", 1 << 20);
   ASSERT_TRUE(written) << written.problem().text();

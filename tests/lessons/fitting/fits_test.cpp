@@ -177,6 +177,33 @@ TEST(Fits, OfWhatPointsCanLieOn_HaveAPointThere_ButNotOfSeveral) {
   }
 }
 
+TEST(Fits, OfObjectsWithCorners_HaveThePlanesOfTheirFaces_ByThePointsThatAreTheirCorners) {
+  const Scene scene = *readTypedScene("A = (1, 2, 3)\nB = (4, 0, 6)\nC = (0, 5, 1)\nD = (0, 0, 9)\n"
+                                      "W = tetrahedron(A, B, C, D)\nT = triangle(A, B, (7, 7, 7))\n",
+                                      "");
+  const auto linesOf = [&](const char *id) {
+    Ids lines;
+    for (const Fit &fit : fitsFor(scene, Ids{id}))
+      if (kindOf(fit.entry) && kindIn(fit) == "plane")
+        lines.push_back(lineFor(fit.entry));
+    return lines;
+  };
+  EXPECT_EQ(linesOf("W"),
+            (Ids{"E = plane(A, B, C)", "E = plane(A, B, D)", "E = plane(A, C, D)", "E = plane(B, C, D)"}));
+  EXPECT_EQ(linesOf("T"), (Ids{"E = plane(A, B, T.P2)"}));
+}
+
+TEST(Fits, OfASegmentBetweenPoints_HaveWhatCanBeMadeOfThese) {
+  const Scene scene = *readTypedScene("A = (1, 2, 3)\nB = (4, 0, 6)\ns = segment(A, B)\n"
+                                      "t = segment((0, 0, 0), (1, 1, 1))\n",
+                                      "");
+  const auto fits = fitsFor(scene, Ids{"s"});
+  ASSERT_TRUE(fitOf(fits, "midpoint"));
+  EXPECT_EQ(lineFor(fitOf(fits, "midpoint")->entry), "M = midpoint(A, B)");
+  EXPECT_TRUE(fitOf(fits, "point-point"));
+  EXPECT_FALSE(fitOf(fitsFor(scene, Ids{"t"}), "midpoint")) << "its ends are no objects";
+}
+
 TEST(Fits, OfPoints_AreTheObjectsThatAreTypedBetweenThem) {
   const Scene scene = playground();
   const auto checkTyped = [&](const Ids &points, const std::string &arguments) {

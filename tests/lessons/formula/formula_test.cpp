@@ -212,5 +212,13 @@ TEST(Formula, WithOtherNames_SpeaksOfOthers) {
   EXPECT_EQ(toText(formula), "2k_1 + A_1 · E.n_1");
 }
 
+TEST(Formula, OfTheShortestVector_HasWholeNumbersWithoutACommonFactor) {
+  EXPECT_EQ(valueOf("shortest((0, 0, 25))"), FormulaValue(ExactVec3(0, 0, 1)));
+  EXPECT_EQ(valueOf("shortest(-1/2, 3/4, 0)"), FormulaValue(ExactVec3(-2, 3, 0)));
+  EXPECT_EQ(valueOf("shortest(A - A)"), FormulaValue(ExactVec3(0)));
+  EXPECT_EQ(toText(formulaOf("shortest( (B-A) × E.n )")), "shortest((B - A) × E.n)");
+  EXPECT_TRUE(std::holds_alternative<FormulaFault>(shapeOf(formulaOf("shortest(k)"), shapeNamed)));
+}
+
 } // namespace
 } // namespace halfspace

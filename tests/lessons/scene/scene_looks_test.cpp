@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace halfspace {
@@ -100,6 +101,34 @@ TEST(Hues, HaveANameEach_ByWhichTheyAreFound) {
   for (const std::string &name : names)
     EXPECT_EQ(nameOf(findHue(name).value()), name);
   EXPECT_FALSE(findHue("mauve"));
+}
+
+/// The colours in which the objects of a scene are drawn, by name.
+std::map<std::string, Hue> huesIn(const Scene &scene) {
+  std::map<std::string, Hue> hues;
+  const std::vector<Look> looks = looksOf(scene);
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    hues[scene.entries[i].name] = looks[i].hue.value_or(hueOf(*kindOf(scene.entries[i])->subject));
+  return hues;
+}
+
+TEST(KeepingColors, LeavesTheObjectsThatWereThere_TheirColors) {
+  const Scene before{{plane("E"), plane("F"), plane("G"), plane("H", Hue::Red)}};
+  for (const Edit &edit :
+       {Edit(RemoveEntry{"E"}), Edit(AddEntry{4, {"T", triangleT().content}}), Edit(MoveEntry{"G", 0})}) {
+    Scene after = before;
+    for (const Edit &each : keepingColors(before, {edit}))
+      after = *apply(after, each);
+    const auto hues = huesIn(after);
+    for (const auto &[name, hue] : huesIn(before))
+      if (hues.contains(name)) {
+        EXPECT_EQ(hues.at(name), hue) << name;
+      }
+  }
+}
+
+TEST(KeepingColors, WhereNothingElseChanges_SaysNone) {
+  EXPECT_EQ(keepingColors({{plane("E"), plane("F")}}, {RemoveEntry{"F"}}).size(), 1U);
 }
 
 } // namespace

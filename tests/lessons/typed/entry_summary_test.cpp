@@ -42,12 +42,36 @@ TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
 }
 
 TEST(EntrySummary, OfAConstructionThatHasNoSuchValue_IsTheLastThatItLeadsTo) {
-  EXPECT_EQ(summaryOfLast("E: x = 1\nF: y = 1\na = angle(E, F)").second, "cos φ = 0");
+  EXPECT_EQ(summaryOfLast("T = triangle((0, 0, 0), (2, 0, 0), (0, 3, 0))\na = area(T)").second, "area = 3");
 }
 
-TEST(EntrySummary, OfWhatIsNotThere_HasNoValue) {
-  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)").second, "");
-  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)\nE: z = 1\nd = distance(E, P)").second, "");
+TEST(EntrySummary, OfAnAngle_IsInDegrees) {
+  EXPECT_EQ(summaryOfLast("E: x = 1\nF: y = 1\na = angle(E, F)").second, "φ = 90°");
+  EXPECT_EQ(summaryOfLast("E: x = 1\nF: x + 5y = 1\na = angle(E, F)").second, "φ ≈ 78.69°");
+  EXPECT_EQ(summaryOfLast("g = (0, 0, 0) + t(1, 0, 1)\nE: z = 1\na = angle(g, E)").second, "α = 45°");
+}
+
+TEST(EntrySummary, OfAConstructionThatMakesObjects_IsItsCaseInWords) {
+  EXPECT_EQ(summaryOfLast("E: x = 1\nF: x = 2\ng = intersect(E, F)").second,
+            "E and F are parallel: they have no point in common.");
+}
+
+TEST(EntrySummary, OfANumber_IsItsValue) {
+  EXPECT_EQ(summaryOfLast("k = 3/2, 0 <= k <= 5, step 1/2"), Told("3/2, 0 <= k <= 5, step 1/2", "3/2"));
+}
+
+TEST(EntrySummary, OfWhatIsNotThere_SaysSo) {
+  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)").second, "not there now");
+  EXPECT_EQ(summaryOfLast("k = 0\nP = (1/k, 0, 0)\nE: z = 1\nd = distance(E, P)").second, "not there now");
+}
+
+TEST(EntrySummary, OfWhatIsNoneOfItsKind_SaysWhy) {
+  const std::string points = "A = (1, 1, 1)\nB = (2, 2, 2)\nC = (3, 3, 3)\n";
+  EXPECT_EQ(
+      summaryOfLast(points + "E = plane(A, B, C)").second,
+      "The normal of E is zero, so E is no plane. Through three points of one line there are many planes.");
+  EXPECT_EQ(summaryOfLast(points + "g = line(A, A)").second, "The direction of g is zero: g leads nowhere.");
+  EXPECT_EQ(summaryOfLast(points + "T = triangle(A, B, C)").second, "All corners of T lie on one line.");
 }
 
 } // namespace

@@ -85,5 +85,15 @@ TEST(MendLine, OfSlips_IsWhatWasMeant) {
 
 TEST(MendLine, OfWhatIsRight_IsNothing) { EXPECT_TRUE(mendsOf("A = (1, 2, 3)", {}).empty()); }
 
+TEST(Mends, OfNumbersInAnotherLanguage_AreTheSameNumbers) {
+  EXPECT_EQ(mendsOf("P = (1,5; 2; 3)", Scene()).front(), "P = (1.5, 2, 3)");
+  EXPECT_EQ(mendsOf("P = (1.5, 2, 3)", Scene(), ',').size(), 0U) << "a point is one whatever the mark";
+}
+
+TEST(Mends, OfWhatLacksItsEndOrItsBrackets_HaveThem) {
+  EXPECT_EQ(mendsOf("F: x + 2y + 2z", Scene()).front(), "F: x + 2y + 2z = 0");
+  EXPECT_EQ(mendsOf("P = 1, 2, 3", Scene()).front(), "P = (1, 2, 3)");
+}
+
 } // namespace
 } // namespace halfspace

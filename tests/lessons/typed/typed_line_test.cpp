@@ -59,6 +59,41 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   EXPECT_EQ(lineFor(labelled), "g = (1, 2, 3) + t(4, 5, 6), dotted, value");
 }
 
+TEST(TypedLine, ThatIsTheEquationOfASphere_IsIt_WhereItsRadiusIsAFraction) {
+  const Object sphere(SphereObject{{1, 2, 0}, 3});
+  EXPECT_EQ(objectOf("S: (x - 1)^2 + (y - 2)^2 + z^2 = 9"), sphere);
+  EXPECT_EQ(objectOf("S: 2x^2 + 2y^2 + 2z^2 - 4x = 8y + 8"), sphere);
+  EXPECT_EQ(objectOf("S: x^2 + y^2 + z^2 = 1/4"), Object(SphereObject{ExactVec3(0), test::q(1, 2)}));
+  const auto sentence = [](const char *line) {
+    return std::get<TypedFault>(readLine(line, Scene())).sentence;
+  };
+  EXPECT_EQ(sentence("S: x^2 + y^2 + z^2 = 5"),
+            "Its radius would be √(5), which is no fraction: here spheres have fractions.");
+  EXPECT_EQ(sentence("S: x^2 + y^2 + z^2 = -4"),
+            "No point has these coordinates: the square of the radius would be -4.");
+  for (const char *line : {"S: x^2 + y^2 + 2z^2 = 9", "S: x^2 + y^2 = 9", "S: x^2 + y^2 + z^2 + x y = 9"})
+    EXPECT_TRUE(sentence(line).starts_with("A sphere has an equation as")) << line;
+}
+
+TEST(TypedLine, OfAPlaneThroughPoints_HasItsShortestNormal_ButKeepsOneThatIsTyped) {
+  const Scene scene = typed({"A = (5, 0, 0)", "B = (0, 5, 0)", "C = (0, 0, 5)", "E = plane(A, B, C)",
+                             "F = plane(A, (B - A) × (C - A))"});
+  const Evaluation evaluation = evaluate(scene);
+  const auto normal = [&](const char *name) {
+    return evaluation.find(name)->offers.front().given->object[1];
+  };
+  EXPECT_EQ(normal("E"), ExactVec3(1));
+  EXPECT_EQ(normal("F"), ExactVec3(25));
+  EXPECT_EQ(lineFor(scene.entries[3]), "E = plane(A, B, C)");
+  EXPECT_EQ(lineFor(scene.entries[4]), "F = plane(A, (B - A) × (C - A))");
+  EXPECT_EQ(objectOf("E = plane((5, 0, 0), (0, 5, 0), (0, 0, 5))"),
+            Object(PlaneObject{{5, 0, 0}, ExactVec3(1)}));
+}
+
+TEST(TypedLine, OfALine_MayCallItsPointsX) {
+  EXPECT_EQ(objectOf("g: X = (1, 2, 3) + t(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {4, 5, 6}}));
+}
+
 TEST(TypedLine, WithNamesInIt_FollowsThem) {
   const Scene scene = typed({"k = 3/2", "A = (1, 2, 3)", "B = (k, 2k, 1)", "M = (A + B)/2", "w = B - A",
                              "E = plane(A, B, M)", "r = A + t w", "m = 2k + A.z"});

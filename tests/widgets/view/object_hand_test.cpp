@@ -157,6 +157,16 @@ private slots:
     making.release(making.at("A"));
   }
 
+  void enter_behindTheLastCorner_closesThePolygon() {
+    Making making(ToolObject::Polygon);
+    QVERIFY(making.ready);
+    for (const Place &corner : {Place(1, 1, 0), Place(5, 2, 0), Place(2, 6, 0)})
+      making.click(corner);
+    QVERIFY(making.added().empty());
+    making.key(Qt::Key_Return);
+    QCOMPARE(making.added().back(), std::string("p = polygon(C, D, P)"));
+  }
+
   void arrowKeysAndEnter_makeAPoint() {
     Making making(ToolObject::Point);
     QVERIFY(making.ready);

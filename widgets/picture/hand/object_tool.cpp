@@ -1,5 +1,6 @@
 #include "widgets/picture/hand/object_tool.h"
 
+#include "lessons/formula/plane_through.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/point.h"
@@ -122,7 +123,7 @@ std::vector<Formula> coordinatesOf(const ObjectTool &tool) {
   case ToolObject::PlaneWithNormal:
     return {points[0], way(picks[0], picks[1])};
   case ToolObject::PlaneThroughPoints:
-    return {points[0], {FormulaKind::Cross, {}, {}, {way(picks[0], picks[1]), way(picks[0], picks[2])}}};
+    return planeThrough(points[0], points[1], points[2]);
   case ToolObject::Box:
     return boxBetween(picks[0], picks[1], picks[2]);
   case ToolObject::Prism: // the way to its top stands second

@@ -80,7 +80,7 @@ TEST(SessionFile, LinesAndLabels_AreKept_AndElseNotWritten) {
   const auto again = readSession(writeSession(session), file);
   ASSERT_TRUE(again) << again.problem().text();
   EXPECT_EQ(*again, session);
-  problemOf(around(R"([{"name":"Q","line":"wavy","point":[1,2,3]}])"));
+  problemOf(around(R"([{"name":"Q","stroke":"wavy","point":[1,2,3]}])"));
   problemOf(around(R"([{"name":"Q","label":"price","point":[1,2,3]}])"));
 }
 

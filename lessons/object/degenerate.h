@@ -1,0 +1,14 @@
+// Objects whose numbers leave nothing of what their kind is.
+#pragma once
+
+#include "lessons/object/given.h"
+
+#include <string>
+
+namespace halfspace {
+
+/// What is wrong with an object that is none of its kind: a plane whose normal is zero, a line or a ray
+/// without a direction, a triangle on one line. Empty for all others.
+[[nodiscard]] std::string whyDegenerate(const Given<Object> &given);
+
+} // namespace halfspace
