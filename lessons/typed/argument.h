@@ -18,4 +18,13 @@ struct Argument {
   return {std::move(sentence), argument.at, argument.length};
 }
 
+/// A formula that was read on its own.
+[[nodiscard]] inline Argument argumentOf(const Formula &formula) { return {formula, formula.at, 1}; }
+
+/// Three numbers as one argument, a point or a vector.
+[[nodiscard]] std::vector<Argument> asTriple(const std::vector<Argument> &numbers);
+
+/// A plane through three points as what it is told by: one of them and its normal.
+[[nodiscard]] std::vector<Argument> throughPoints(const std::vector<Argument> &points);
+
 } // namespace halfspace

@@ -1,6 +1,5 @@
 #include "lessons/typed/read_line.h"
 
-#include "lessons/formula/plane_through.h"
 #include "lessons/formula/read_formula.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/line.h"
@@ -11,6 +10,7 @@
 #include "lessons/object/kinds/vector.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
+#include "lessons/typed/argument.h"
 #include "lessons/typed/call_words.h"
 #include "lessons/typed/equation.h"
 #include "lessons/typed/look_words.h"
@@ -39,24 +39,6 @@ std::string signatureOf(const Kind &kind) {
     list += (list.empty() ? "" : ", ") + (spec.name.empty() ? "x, y, z" : std::string(spec.name));
   return std::string(kind.word) + "(" + list + ")";
 }
-
-/// Three numbers as one argument.
-std::vector<Argument> asTriple(const std::vector<Argument> &numbers) {
-  Formula triple{FormulaKind::Triple, {}, {}, {}, numbers.front().at};
-  for (const Argument &number : numbers)
-    triple.parts.push_back(number.formula);
-  return {{std::move(triple), numbers.front().at,
-           numbers.back().at + numbers.back().length - numbers.front().at}};
-}
-
-/// A plane through three points, by one of them and its normal.
-std::vector<Argument> throughPoints(const std::vector<Argument> &points) {
-  std::vector<Formula> plane = planeThrough(points[0].formula, points[1].formula, points[2].formula);
-  return {{std::move(plane[0]), points[0].at, points[0].length},
-          {std::move(plane[1]), points[1].at, points[1].length}};
-}
-
-Argument argumentOf(const Formula &formula) { return {formula, formula.at, 1}; }
 
 bool takeLess(FormulaReader &reader) { return reader.take("<=") || reader.take("≤"); }
 bool takeAtLeastZero(FormulaReader &reader, const std::string &name) {
