@@ -148,8 +148,8 @@ void ExplorePresenter::showWorkings() {
   for (const EvaluatedEntry &entry : m_model.evaluation().entries)
     if (wanted.contains(entry.name) && !entry.outcome->told->description.empty())
       shown.push_back(entry.name);
-  if (const std::string last = lastOfInterest(); shown.empty() && !last.empty())
-    shown.push_back(last);
+  if (shown.empty())
+    shown = lastOfInterest();
   if (shown == m_shown)
     return;
   m_model.showWorkings(shown);
@@ -157,15 +157,25 @@ void ExplorePresenter::showWorkings() {
   m_panels.page().showTop();
 }
 
-std::string ExplorePresenter::lastOfInterest() const {
-  const Evaluation &evaluation = m_model.evaluation();
-  std::string found;
+std::vector<std::string> ExplorePresenter::lastOfInterest() const {
+  if (m_selection.ids().empty()) {
+    const EvaluatedEntry *last = m_model.evaluation().lastConstruction();
+    return last ? std::vector{last->name} : std::vector<std::string>();
+  }
+  std::set<std::string> known; // what is selected, and what follows it
   for (const std::string &id : m_selection.ids())
-    for (const std::string &name : dependentsOf(m_model.session().scene, ownerOf(id)))
-      if (evaluation.find(name)->isConstruction())
-        found = name;
-  const EvaluatedEntry *last = evaluation.lastConstruction();
-  return last && m_selection.ids().empty() ? last->name : found;
+    known.insert(ownerOf(id));
+  std::vector<std::string> found;
+  for (const Entry &entry : m_model.session().scene.entries) {
+    const std::vector<std::string> ids = referencesIn(entry);
+    if (std::none_of(ids.begin(), ids.end(),
+                     [&](const std::string &id) { return known.contains(ownerOf(id)); }))
+      continue;
+    known.insert(entry.name);
+    if (std::holds_alternative<ConstructionUse>(entry.content))
+      found = {entry.name};
+  }
+  return found;
 }
 
 void ExplorePresenter::addPin(QMenu &menu, const QString &name) {

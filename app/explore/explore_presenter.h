@@ -44,9 +44,9 @@ private:
   /// Of what is selected and of what is kept on the page, where there is something to tell; else of what
   /// follows the selection.
   void showWorkings();
-  /// The last construction that looks at what is selected, or, where nothing is, the last one; empty for
-  /// none.
-  [[nodiscard]] std::string lastOfInterest() const;
+  /// The last construction that follows what is selected, or, where nothing is, the last one of all; empty
+  /// for none.
+  [[nodiscard]] std::vector<std::string> lastOfInterest() const;
   void addPin(QMenu &menu, const QString &name);
 
   SessionModel &m_model;

@@ -190,7 +190,8 @@ void FieldPresenter::enter() {
   const std::string line = m_bar.text().toStdString();
   if (m_bar.text().trimmed().isEmpty())
     return;
-  const LineWithName named = withName(line, above(), language().decimalMark);
+  const LineWithName named =
+      m_edited.empty() ? withName(line, above(), language().decimalMark) : withName(line, m_edited);
   const auto read = readLine(named.line, above(), language().decimalMark);
   if (const auto *entry = std::get_if<Entry>(&read))
     return accept(*entry);
@@ -201,8 +202,8 @@ void FieldPresenter::enter() {
 
 void FieldPresenter::accept(const Entry &entry) {
   if (!isExplore(m_model)) {
-    const auto grown =
-        apply(m_model.session().scene, AddEntry{m_model.session().scene.entries.size(), entry});
+    const Scene &scene = m_model.session().scene;
+    const auto grown = apply(scene, AddEntry{scene.entries.size(), entry});
     if (!grown)
       return m_bar.complain(QString::fromStdString(grown.problem().sentence), {});
     remember();
@@ -226,6 +227,8 @@ void FieldPresenter::enterAll(const QString &lines) {
                          .arg(QString::fromStdString(grown.problem().sentence)));
   if (!isExplore(m_model))
     return goOnInExplore(m_model, m_files, *grown);
+  if (grown->entries.size() == scene.entries.size())
+    return m_bar.say(tr("There is no line in what was pasted."));
   std::vector<Entry> added;
   for (std::size_t place = scene.entries.size(); place < grown->entries.size(); ++place)
     added.push_back(grown->entries[place]);
@@ -241,7 +244,9 @@ void FieldPresenter::refuse(const QString &sentence, EntryField::Part part) {
 std::vector<FieldPresenter::Offer> FieldPresenter::mends() {
   std::vector<Offer> offers;
   const char mark = language().decimalMark;
-  const std::string typed = withName(m_bar.text().toStdString(), above(), mark).line;
+  const std::string said = m_bar.text().toStdString();
+  const std::string typed =
+      (m_edited.empty() ? withName(said, above(), mark) : withName(said, m_edited)).line;
   for (const std::string &mend : mendsOf(typed, above(), mark)) {
     const QString line = QString::fromStdString(mend);
     offers.push_back({{line, tr("Enter: take this instead")},

@@ -35,7 +35,9 @@ void ScenePaste::paste() {
     return;
   }
   const auto found = sessionOn(*clipboard);
-  if (!found && isExplore(m_model) && clipboard->hasText())
+  const bool isLines =
+      clipboard->hasText() && !clipboard->text().trimmed().startsWith('{'); // as a session does
+  if (!found && isExplore(m_model) && isLines)
     return emit textPasted(clipboard->text());
   if (!found)
     return m_messages.say(QString::fromStdString(found.problem().text()));

@@ -12,7 +12,7 @@ CasePresenter::CasePresenter(SessionModel &model, CaseLine &line, QWidget &scene
                              const StepQuestion &question, StepAtStart &atStart)
     : m_model(model), m_line(line), m_scene(scene), m_question(question), m_atStart(atStart) {
   connect(&line, &CaseLine::nearbyChosen, this, &CasePresenter::goToNearby);
-  connect(&model.history(), &SessionHistory::sceneChanged, &line, &CaseLine::endMessage); // it is of the past
+  connect(&model.history(), &SessionHistory::stepsChanged, &line, &CaseLine::endMessage); // it is of the past
   connect(&model.history(), &SessionHistory::gestureChanged, this, [this] {
     if (m_model.history().inGesture())
       m_line.endMessage();

@@ -24,7 +24,8 @@ struct Fit {
 /// its points; then the uses that want one more object, of a kind of which the scene has another one.
 ///
 /// A single object has besides, before those that want another: a point that lies on it; the planes of its
-/// faces, if it has corners; of a segment what can be constructed of its ends.
+/// faces, if it is a triangle, a polygon or a tetrahedron of the scene; of a segment what can be constructed
+/// of its ends.
 ///
 /// The ids are those of scene objects, `Q` or `distance.F`; other ones, and repetitions, count for nothing.
 /// Each object goes into the first role that takes its kind, in the order of selection, and a list role takes

@@ -16,7 +16,6 @@ constexpr std::array slashes{"/", "÷", "⁄"};
 constexpr std::array dots{"·", "⋅"};
 constexpr std::array powersOfTwoAndThree{std::pair("²", 2), std::pair("³", 3)};
 constexpr std::array<std::string_view, 3> components{"x", "y", "z"};
-constexpr std::string_view shortestWord = "shortest";
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -215,7 +214,8 @@ Formula FormulaReader::simple() {
     return failed(words("Something is missing at the end."), begin);
   if (isLetter(m_text[begin])) {
     const std::string_view name = takeName();
-    if (name == shortestWord && take("("))
+    const bool isFunction = name == shortestWord && !(m_isName && m_isName(name));
+    if (isFunction && take("("))
       return made(FormulaKind::Shortest, {bracketed()}, begin);
     const auto dot = name.rfind('.');
     if (dot != std::string_view::npos)

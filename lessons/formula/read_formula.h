@@ -5,6 +5,9 @@
 
 namespace halfspace {
 
+/// shortest(v), the one function that formulas have.
+inline constexpr std::string_view shortestWord = "shortest";
+
 /// Whether something goes by a name.
 using IsName = std::function<bool(std::string_view name)>;
 

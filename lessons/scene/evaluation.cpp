@@ -22,10 +22,10 @@ bool canStandIn(const ConstructionRole &role, const Object &object) {
 }
 
 /// With what the labels of its entry are to say.
-Figure labelled(Figure figure, std::optional<LabelText> text) {
-  for (std::size_t place = 0; text && place < figure.marks.size(); ++place)
+Figure labelled(Figure figure, LabelText text) {
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
     figure.marks.change(
-        place, [&](Mark &mark) { *text == LabelText::Name ? clearNumbers(mark) : writeCoordinates(mark); });
+        place, [&](Mark &mark) { text == LabelText::Name ? clearNumbers(mark) : writeCoordinates(mark); });
   return figure;
 }
 
@@ -328,10 +328,11 @@ const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entr
 Figure figureOf(const Evaluation &evaluation) {
   Figure all;
   for (const EvaluatedEntry &entry : evaluation.entries) {
-    if (evaluation.scene.entries.find(entry.name)->isHidden)
+    const Entry &said = *evaluation.scene.entries.find(entry.name);
+    if (said.isHidden)
       continue;
-    const Figure own = labelled(*entry.outcome->figure, evaluation.scene.entries.find(entry.name)->label);
-    all.marks.append(own.marks);
+    const Figure &own = *entry.outcome->figure;
+    all.marks.append(said.label ? labelled(own, *said.label).marks : own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }
   return withoutHiddenLabels(reaching(std::move(all)), evaluation.scene.labels);

@@ -1,6 +1,7 @@
 #include "lessons/scene/scene.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/point.h"
 
 namespace halfspace {
 namespace {
@@ -77,6 +78,11 @@ const Kind *kindOf(const Entry &entry) {
 bool isDrawn(const Entry &entry) {
   const Kind *kind = kindOf(entry);
   return !kind || kind->draw != drawNothing || kind->binding;
+}
+
+bool hasLines(const Entry &entry) {
+  const Kind *kind = kindOf(entry);
+  return kind && isDrawn(entry) && !kind->shape && !kind->binding && kind->word != PointObject::kind;
 }
 
 bool areBuiltAlike(const Entry &a, const Entry &b) {

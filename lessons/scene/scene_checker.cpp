@@ -23,11 +23,6 @@ Problem problemWith(std::string field, std::string sentence) {
 
 bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; }
 
-bool canBeName(const std::string &name) {
-  return !name.empty() && name.size() <= maxNameLength && isLetter(name.front()) &&
-         std::all_of(name.begin(), name.end(), isNameCharacter);
-}
-
 std::vector<std::string> idsOfConstructions() {
   std::vector<std::string> ids;
   for (const Construction &construction : constructions())
@@ -57,7 +52,7 @@ std::optional<Problem> checkLook(const Entry &entry) {
   const bool isSeen = isDrawn(entry);
   if (entry.color && !(isObject && isSeen))
     return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
-  if (entry.line && !(isObject && isSeen))
+  if (entry.line && !hasLines(entry))
     return problemWith(strokeField, words("“{name}” has no lines of its own.", {{"name", entry.name}}));
   if ((entry.isHidden || entry.label) && !isSeen)
     return problemWith(entry.isHidden ? hiddenField : labelField,
@@ -68,6 +63,11 @@ std::optional<Problem> checkLook(const Entry &entry) {
 }
 
 } // namespace
+
+bool canBeName(std::string_view name) {
+  return !name.empty() && name.size() <= maxNameLength && isLetter(name.front()) &&
+         std::all_of(name.begin(), name.end(), isNameCharacter);
+}
 
 Problem tooManyEntries() {
   return problemWith("", words("The scene is too large: it may have {limit} entries.",

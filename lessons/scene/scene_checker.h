@@ -15,6 +15,9 @@ struct ConstructionRole;
 inline constexpr std::size_t maxNameLength = 32;
 inline constexpr std::size_t maxSceneEntries = 1000;
 
+/// Whether an entry can be called so: letters, digits, - and _, the first a letter, and not too many.
+[[nodiscard]] bool canBeName(std::string_view name);
+
 /// The problem of a scene with more entries.
 [[nodiscard]] Problem tooManyEntries();
 

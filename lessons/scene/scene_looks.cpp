@@ -42,13 +42,17 @@ std::map<std::string, Hue> huesOf(const Scene &scene) {
   return hues;
 }
 
-/// Gives the objects of a scene the colours that are wanted where it would decide on others.
-void giveColors(const std::map<std::string, Hue> &wanted, Scene &scene) {
-  // A colour that is said leaves others to the rest, which may need to be said in turn.
-  for (bool isAnyOther = true; isAnyOther;) {
-    isAnyOther = false;
+/// Where more objects would need to be told their colours, none is: among so many the palette tells nothing
+/// apart, and each colour is an edit.
+constexpr std::size_t mostToldColors = 40;
+
+/// Gives the objects of a scene the colours that are wanted where it would decide on others, one after the
+/// other: a colour that is said leaves others to the rest. False where that takes too many.
+bool giveColors(const std::map<std::string, Hue> &wanted, Scene &scene) {
+  for (std::size_t told = 0; told <= mostToldColors; ++told) {
     const std::map<std::string, Hue> now = huesOf(scene);
-    for (std::size_t i = 0; i < scene.entries.size(); ++i) {
+    bool isAnyOther = false;
+    for (std::size_t i = 0; i < scene.entries.size() && !isAnyOther; ++i) {
       const std::string &name = scene.entries[i].name;
       const auto had = wanted.find(name);
       const auto has = now.find(name);
@@ -57,7 +61,10 @@ void giveColors(const std::map<std::string, Hue> &wanted, Scene &scene) {
       scene.entries.change(i, [&](Entry &entry) { entry.color = had->second; });
       isAnyOther = true;
     }
+    if (!isAnyOther)
+      return true;
   }
+  return false;
 }
 
 } // namespace
@@ -97,7 +104,8 @@ std::vector<Edit> keepingColors(const Scene &scene, std::vector<Edit> edits) {
     after = std::move(*next);
   }
   Scene colored = after;
-  giveColors(wanted, colored);
+  if (!giveColors(wanted, colored))
+    return edits;
   for (std::size_t i = 0; i < after.entries.size(); ++i)
     if (colored.entries.shared(i) != after.entries.shared(i))
       edits.emplace_back(ReplaceEntry{after.entries[i].name, colored.entries[i]});

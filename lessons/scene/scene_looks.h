@@ -11,8 +11,9 @@ namespace halfspace {
 /// even then their lines are not.
 [[nodiscard]] std::vector<Look> looksOf(const Scene &scene);
 
-/// Edits of a scene, and those after which the objects that were there have the colours that they had: where
-/// others come or go, the fewest may have another hue. Edits that are refused are as they are.
+/// Edits of a scene, and those after which the objects that were there have the colours that they had, where
+/// others come or go. Edits that are refused are as they are, and so are those that would need very many
+/// others. An entry that an edit replaces looks as that says.
 [[nodiscard]] std::vector<Edit> keepingColors(const Scene &scene, std::vector<Edit> edits);
 
 } // namespace halfspace

@@ -42,15 +42,13 @@ std::optional<int> degreeOf(const Formula &formula) {
   }
 }
 
-/// What else than x, y and z an equation has a name of.
-std::optional<FormulaFault> strangerIn(const Formula &formula) {
+/// The first name in an equation that is not x, y or z, with what is said of it.
+std::optional<FormulaFault> strangerIn(const Formula &formula, const std::string &sentence) {
   std::optional<FormulaFault> fault;
   const std::function<void(const Formula &)> look = [&](const Formula &part) {
     const bool isUnknown = std::find(unknowns.begin(), unknowns.end(), part.name) != unknowns.end();
     if (!fault && part.kind == FormulaKind::Name && !isUnknown)
-      fault = FormulaFault{words("The equation of a plane has x, y, z and numbers: write plane(P, n) for one "
-                                 "that follows others."),
-                           part.at};
+      fault = FormulaFault{sentence, part.at};
     for (const Formula &each : part.parts)
       look(each);
   };
@@ -59,7 +57,9 @@ std::optional<FormulaFault> strangerIn(const Formula &formula) {
 }
 
 std::optional<FormulaFault> faultIn(const Formula &formula) {
-  std::optional<FormulaFault> fault = strangerIn(formula);
+  std::optional<FormulaFault> fault =
+      strangerIn(formula, words("The equation of a plane has x, y, z and numbers: write plane(P, n) for one "
+                                "that follows others."));
   if (!fault && degreeOf(formula).value_or(2) > 1)
     fault = FormulaFault{words("A plane has an equation as x + 2y + 2z = 27: no products of x, y and z."),
                          formula.at};
@@ -163,7 +163,9 @@ bool isQuadratic(const Formula &left, const Formula &right) {
 
 std::variant<SphereObject, FormulaFault> sphereOf(const Formula &left, const Formula &right) {
   const Formula zero{FormulaKind::Difference, {}, {}, {left, right}, left.at};
-  if (auto fault = strangerIn(zero))
+  if (auto fault =
+          strangerIn(zero, words("The equation of a sphere has x, y, z and numbers: write sphere(M, k) "
+                                 "for one that follows others.")))
     return *fault;
   const auto found = quadraticOf(zero);
   if (!found)
@@ -182,7 +184,7 @@ std::variant<SphereObject, FormulaFault> sphereOf(const Formula &left, const For
   const auto radius = exactRoot(radiusSquared);
   if (!radius)
     return FormulaFault{
-        words("Its radius would be √({square}), which is no fraction: here spheres have fractions.",
+        words("Its radius would be √({square}), which is not a fraction: here a radius must be one.",
               {{"square", toText(radiusSquared)}}),
         left.at};
   return SphereObject{center, *radius};

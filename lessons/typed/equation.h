@@ -11,7 +11,8 @@ namespace halfspace {
 /// where one such has them. Or what keeps it from being one.
 [[nodiscard]] std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right);
 
-/// Whether x, y and z are squared or multiplied by one another in left = right, and nothing beyond that.
+/// Whether names, as x, y and z, are squared or multiplied by one another in left = right, and nothing beyond
+/// that.
 [[nodiscard]] bool isQuadratic(const Formula &left, const Formula &right);
 
 /// The sphere of left = right: (x − 1)² + (y − 2)² + z² = 9, in whatever form. Or what keeps it from being

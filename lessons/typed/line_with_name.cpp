@@ -3,14 +3,15 @@
 #include "lessons/construction/construction.h"
 #include "lessons/formula/read_formula.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/vector.h"
 #include "lessons/scene/fresh_names.h"
+#include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
 #include "lessons/typed/read_line.h"
+#include "lessons/typed/scene_names.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace halfspace {
 namespace {
@@ -60,30 +61,35 @@ std::optional<std::string> pointLine(std::string_view line, const Scene &above, 
   return point + ")";
 }
 
-/// P = (1, 2, 3) for P(1|2|3); nothing for any other line.
-std::optional<std::string> pointWithBars(std::string_view line, char decimalMark) {
+/// P = (1, 2, 3) for P(1|2|3), as some schools write it; nothing for any other line.
+std::optional<std::string> pointWithBars(std::string_view line, const Scene &above, char decimalMark) {
   const std::string_view text = trimmed(line);
   const std::size_t open = text.find('(');
-  if (open == std::string_view::npos || text.find('|') == std::string_view::npos || text.back() != ')')
+  if (open == std::string_view::npos || text.back() != ')')
     return {};
+  const std::vector<std::string> numbers = parted(text.substr(open + 1, text.size() - open - 2), '|');
   const std::string_view name = trimmed(text.substr(0, open));
-  std::string numbers(text.substr(open));
+  const auto isNumber = [&](std::string_view number) { return spellsNumber(number, decimalMark); };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), isNumber) ||
+      !(name.empty() || canBeName(name)))
+    return {};
   const std::string between = decimalMark == ',' ? "; " : ", ";
-  for (std::size_t bar = numbers.find('|'); bar != std::string::npos; bar = numbers.find('|'))
-    numbers.replace(bar, 1, between);
-  return std::string(name) + (name.empty() ? "" : " = ") + numbers;
+  return (name.empty() ? FreshNames(above).ofKind(*findKind(PointObject::kind)) : std::string(name)) +
+         " = (" + numbers[0] + between + numbers[1] + between + numbers[2] + ")";
 }
 
-/// Whether a sign stands behind a first word, which is no coordinate of an equation: `x = 3` is a plane.
-bool hasName(std::string_view line) {
-  const std::string_view begin = trimmed(line);
-  const std::size_t end = begin.find_first_of("=:");
-  const std::string_view name = trimmed(begin.substr(0, std::min(end, begin.size())));
-  const bool isWord = std::all_of(name.begin(), name.end(), [](unsigned char sign) {
-    return std::isalnum(sign) || sign == '_' || sign >= 0x80; // a part of a letter beyond ASCII
-  });
-  const bool isAxis = name == "x" || name == "y" || name == "z";
-  return end != std::string_view::npos && isWord && !isAxis;
+/// What stands before the first sign of a name, if that can be a name; else empty.
+std::string_view nameIn(std::string_view line) {
+  const std::size_t sign = line.find_first_of("=:");
+  const std::string_view name = trimmed(line.substr(0, std::min(sign, line.size())));
+  return sign != std::string_view::npos && canBeName(name) ? name : std::string_view();
+}
+
+/// Whether a word may be a part of an equation: x, and the x-1 of x-1 = 0.
+bool hasUnknown(std::string_view word) {
+  const std::vector<std::string> parts = parted(word, '-');
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const std::string &part) { return part == "x" || part == "y" || part == "z"; });
 }
 
 /// Whether a sign of equality stands in it that is none of a condition, as in t >= 0.
@@ -94,32 +100,76 @@ bool isEquation(std::string_view line) {
   return false;
 }
 
-std::string usualName(const Entry &entry, const FreshNames &names) {
-  if (const Kind *kind = kindOf(entry))
-    return names.ofKind(*kind);
-  return names.ofUse(*findConstruction(std::get<ConstructionUse>(entry.content).id));
+/// Whether a formula is a direction rather than a place: u × v, B − A, half of a vector.
+bool isDirection(const Formula &formula, const SceneNames &names) {
+  const auto isPart = [&](std::size_t part) { return isDirection(formula.parts[part], names); };
+  switch (formula.kind) {
+  case FormulaKind::Name: {
+    const auto value = names.value(formula.name);
+    return value && value->role == CoordinateRole::Direction;
+  }
+  case FormulaKind::Cross:
+  case FormulaKind::Shortest:
+    return true;
+  case FormulaKind::Difference: // of two places, or of two directions
+    return isPart(0) == isPart(1);
+  case FormulaKind::Sum:
+    return isPart(0) && isPart(1);
+  case FormulaKind::Product:
+    return isPart(0) || isPart(1);
+  case FormulaKind::Negative:
+  case FormulaKind::Quotient:
+    return isPart(0);
+  default:
+    return false;
+  }
+}
+
+/// Of what a line without a name says: its kind's usual name, or its construction's.
+std::string usualName(const Entry &entry, const Scene &above) {
+  const FreshNames names(above);
+  if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+    return names.ofUse(*findConstruction(use->id));
+  const auto *derived = std::get_if<DerivedObject>(&entry.content);
+  const bool isVector = derived && derived->kind->word == PointObject::kind &&
+                        isDirection(derived->coordinates.front(), SceneNames(above));
+  return names.ofKind(isVector ? *findKind(VectorObject::kind) : *kindOf(entry));
+}
+
+/// A free name that means nothing: a point's, of which no line is a ray.
+std::string plainName(const Scene &above) {
+  std::string name = "P";
+  for (int number = 1; above.entries.find(name); ++number)
+    name = "P" + std::to_string(number);
+  return name;
+}
+
+LineWithName under(std::string name, std::string_view line, bool isPlane) {
+  name += isPlane ? ": " : " = ";
+  return {name + std::string(line), name.size()};
 }
 
 } // namespace
 
 LineWithName withName(std::string_view line, const Scene &above, char decimalMark) {
-  if (hasName(line))
+  if (const auto point = pointWithBars(line, above, decimalMark))
+    return {*point};
+  if (const auto point = pointLine(line, above, decimalMark))
+    return {*point};
+  const auto readAs = [&](const LineWithName &named) { return readLine(named.line, above, decimalMark); };
+  const std::string_view name = nameIn(line);
+  if (!name.empty() && !hasUnknown(name))
     return {std::string(line)};
-  if (const auto point = pointWithBars(line, decimalMark))
-    return withName(*point, above, decimalMark);
-  if (auto point = pointLine(line, above, decimalMark))
-    return {std::move(*point)};
   const bool isPlane = isEquation(line);
-  const auto under = [&](std::string name) {
-    name += isPlane ? ": " : " = ";
-    return LineWithName{name + std::string(line), name.size()};
-  };
-  const FreshNames names(above);
-  LineWithName named = under(names.ofKind(*findKind(isPlane ? PlaneObject::kind : PointObject::kind)));
-  const auto read = readLine(named.line, above, decimalMark);
+  const LineWithName plain = under(plainName(above), line, isPlane);
+  const auto read = readAs(plain);
   if (const auto *entry = std::get_if<Entry>(&read))
-    return under(usualName(*entry, names));
-  return named;
+    return under(usualName(*entry, above), line, isPlane);
+  return name.empty() ? plain : LineWithName{std::string(line)};
+}
+
+LineWithName withName(std::string_view line, const std::string &name) {
+  return nameIn(line).empty() ? under(name, line, isEquation(line)) : LineWithName{std::string(line)};
 }
 
 } // namespace halfspace

@@ -18,4 +18,7 @@ struct LineWithName {
 /// rest can be told.
 [[nodiscard]] LineWithName withName(std::string_view line, const Scene &above, char decimalMark = '.');
 
+/// A line of an entry that has a name already: under that one, unless the line says another.
+[[nodiscard]] LineWithName withName(std::string_view line, const std::string &name);
+
 } // namespace halfspace

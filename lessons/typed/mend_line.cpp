@@ -1,5 +1,6 @@
 #include "lessons/typed/mend_line.h"
 
+#include "lessons/formula/read_formula.h"
 #include "lessons/guess.h"
 #include "lessons/text.h"
 #include "lessons/typed/call_words.h"
@@ -135,6 +136,7 @@ private:
     std::vector<std::string> known = m_names.names();
     known.insert(known.end(), callWords().begin(), callWords().end());
     known.emplace_back(stepWord);
+    known.emplace_back(shortestWord);
     for (const std::string &word : lookWords())
       known.push_back(word);
     for (const LinePart &part : wordsIn(m_line)) {

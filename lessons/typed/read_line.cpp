@@ -104,7 +104,7 @@ private:
         return readCall(word, begin);
       const bool canBeProduct =
           word.size() <= 1 || word.find('-') != std::string::npos; // t(1, 2, 3), A-t(1, 2, 3)
-      if (!canBeProduct && !m_names.isName(word))
+      if (!canBeProduct && word != shortestWord && !m_names.isName(word))
         return fail(words("There is no “{name}”.", {{"name", word}}), begin, word.size());
     }
     m_reader.goTo(begin);
@@ -119,7 +119,8 @@ private:
   void takeAnyPoint() {
     const std::size_t at = m_reader.at();
     const std::string_view word = m_reader.takeWord();
-    if (word != "X" || m_names.isName(word) || !m_reader.take("="))
+    m_isOfAnyPoint = word == "X" && !m_names.isName(word) && m_reader.take("=");
+    if (!m_isOfAnyPoint)
       m_reader.goTo(at);
   }
 
@@ -256,6 +257,8 @@ private:
     if (const auto line =
             parametricOf(formula, [&](const std::string &name) { return !m_names.value(name); }))
       return readParametric(*line);
+    if (m_isOfAnyPoint)
+      return fail(words("Behind X = a line is needed, as A + t v."), begin, textEnd() - begin);
     auto named = namedIn(std::move(formula), m_names);
     if (auto *fault = std::get_if<TypedFault>(&named)) {
       m_fault = std::move(*fault);
@@ -375,6 +378,7 @@ private:
   FormulaReader m_reader;
   Entry m_entry;
   bool m_isLookNext = false;
+  bool m_isOfAnyPoint = false; ///< X = … was read
   std::optional<TypedFault> m_fault;
 };
 

@@ -440,7 +440,7 @@ private slots:
       case 1:
         return edits.move(name, below(2) == 0 ? 1 : -1);
       case 2:
-        return edits.rename(name, name + "1");
+        return static_cast<void>(edits.rename(name, name + "1"));
       case 3:
         return edits.setHidden(name, below(2) == 0);
       case 4:

@@ -219,7 +219,7 @@ void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
 }
 
 void EntryList::addLineMenu(QMenu &menu, const Entry &entry) {
-  if (!kindOf(entry) || !isDrawn(entry))
+  if (!hasLines(entry))
     return;
   QMenu &lines = *menu.addMenu(tr("&Lines"));
   lines.setObjectName("lineMenu");

@@ -165,8 +165,9 @@ bool EntryRows::setData(const QModelIndex &index, const QVariant &value, int rol
 QStringList EntryRows::mimeTypes() const { return {entryMimeType}; }
 
 QMimeData *EntryRows::mimeData(const QModelIndexList &indexes) const {
-  if (indexes.isEmpty())
-    return nullptr;
+  const auto isOfFirst = [&](const QModelIndex &index) { return index.row() == indexes.front().row(); };
+  if (!std::all_of(indexes.begin(), indexes.end(), isOfFirst) || indexes.isEmpty())
+    return nullptr;           // several rows have no one place where they could go
   auto *data = new QMimeData; // it is the caller's
   data->setData(entryMimeType, QByteArray::fromStdString(idIn(indexes.front().row())));
   return data;

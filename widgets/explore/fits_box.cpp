@@ -86,7 +86,8 @@ std::optional<Entry> FitsBox::completed(const Fit &wanting) const {
 void FitsBox::showFits() {
   const Scene &scene = m_model.session().scene;
   if (m_selection.ids() == m_shownFor && m_model.evaluation().plan == m_plan && m_buttons)
-    return; // a drag changes numbers, not what fits
+    return;          // a drag changes numbers, not what fits
+  m_wanting.reset(); // it was about another scene, or another selection
   m_shownFor = m_selection.ids();
   m_plan = m_model.evaluation().plan;
   m_fits = isExplore(m_model) && !m_shownFor.empty() ? fitsFor(scene, m_shownFor) : std::vector<Fit>();

@@ -176,7 +176,7 @@ Construction signed_distance() {
   return taught<Out, PlaneObject, PointObject>(
       {.id = "signed-distance",
        .word = "distance",
-       .title = [] { return words("distance from the plane"); },
+       .title = [] { return words("signed distance from the plane"); },
        .roles = {"E", "Q"},
        .makes = {{"F", &Out::hasPlane, &Out::F}},
        .letters = {"f", "w", "dist", "θ", "M"},

@@ -70,7 +70,9 @@ private:
     const Entry *old = scene.entries.find(name);
     Entry entry = old && below(3) > 0 ? *old : anyEntry(scene);
     entry.color = below(2) == 0 ? std::nullopt : std::optional(static_cast<Hue>(below(hueCount)));
-    entry.line = below(2) == 0 ? std::nullopt : std::optional(static_cast<LineStyle>(below(lineStyleCount)));
+    entry.line.reset();
+    if (hasLines(entry) && below(2) == 0)
+      entry.line = static_cast<LineStyle>(below(lineStyleCount));
     entry.label = below(2) == 0 ? std::nullopt : std::optional(static_cast<LabelText>(below(labelTextCount)));
     entry.isHidden = below(2) == 0;
     entry.isLocked = below(2) == 0;

@@ -127,6 +127,21 @@ TEST(KeepingColors, LeavesTheObjectsThatWereThere_TheirColors) {
   }
 }
 
+TEST(KeepingColors, OfVeryManyObjects_SaysNone) {
+  Scene scene;
+  for (int i = 0; i < 300; ++i)
+    scene.entries.push_back(plane("E" + std::to_string(i)));
+  EXPECT_EQ(keepingColors(scene, {RemoveEntry{"E0"}}).size(), 1U);
+}
+
+TEST(KeepingColors, OfAnEntryThatIsReplaced_LeavesItsLookToWhoReplacesIt) {
+  const Scene scene{{plane("E"), plane("F", Hue::Red), plane("G")}};
+  for (const Edit &edit : keepingColors(scene, {ReplaceEntry{"F", plane("F")}}))
+    if (const auto *replaced = std::get_if<ReplaceEntry>(&edit); replaced && replaced->name == "F") {
+      EXPECT_EQ(replaced->entry.color, std::nullopt);
+    }
+}
+
 TEST(KeepingColors, WhereNothingElseChanges_SaysNone) {
   EXPECT_EQ(keepingColors({{plane("E"), plane("F")}}, {RemoveEntry{"F"}}).size(), 1U);
 }

@@ -71,6 +71,7 @@ TEST(EntrySummary, OfWhatIsNoneOfItsKind_SaysWhy) {
       summaryOfLast(points + "E = plane(A, B, C)").second,
       "The normal of E is zero, so E is no plane. Through three points of one line there are many planes.");
   EXPECT_EQ(summaryOfLast(points + "g = line(A, A)").second, "The direction of g is zero: g leads nowhere.");
+  EXPECT_EQ(summaryOfLast(points + "s = segment(A, A)").second, "Both ends of s are the same point.");
   EXPECT_EQ(summaryOfLast(points + "T = triangle(A, B, C)").second, "All corners of T lie on one line.");
 }
 

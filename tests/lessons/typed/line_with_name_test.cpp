@@ -15,7 +15,9 @@ const Scene &scene() {
 
 std::string named(const std::string &line) {
   const LineWithName found = withName(line, scene());
-  EXPECT_EQ(found.line.substr(found.added), found.added > 0 ? line : found.line);
+  if (found.added > 0) {
+    EXPECT_EQ(found.line.substr(found.added), line);
+  }
   return found.line;
 }
 
@@ -28,6 +30,31 @@ TEST(LineWithName, OfWhatHasNoName_HasTheUsualOneThatIsFree) {
   EXPECT_EQ(named("(A + B)/2"), "D = (A + B)/2");
   EXPECT_EQ(named("x + 2y = 3"), "G: x + 2y = 3");
   EXPECT_EQ(named("x = 3"), "G: x = 3");
+  EXPECT_EQ(named("2x = 3"), "G: 2x = 3");
+  EXPECT_EQ(named("x-y = 1"), "G: x-y = 1");
+  EXPECT_EQ(named("B - A"), "v = B - A");
+  EXPECT_EQ(named("2(B - A)"), "v = 2(B - A)");
+  EXPECT_EQ(named("shortest(B - A)"), "v = shortest(B - A)");
+}
+
+TEST(LineWithName, IsOfTheKindThatTheLineSays_WhateverLettersAreTaken) {
+  const Scene full =
+      *readTypedScene("A = (1, 2, 3)\nB = (4, 5, 6)\nC = (0, 1, 0)\nD = (1, 1, 1)\nP = (2, 0, 0)\n"
+                      "Q = (3, 0, 0)\n",
+                      "");
+  EXPECT_EQ(withName("A + t(1, 2, 3)", full).line, "g = A + t(1, 2, 3)");
+}
+
+TEST(LineWithName, OfSignsInOddPlaces_ComesToAnEnd) {
+  for (const char *line :
+       {"|v|(1, 2, 3)", "|B - A|*(2)", "|()", "a|b(1)", "|", "(|||)", "", "=", ": 3", "= 3"})
+    EXPECT_NO_THROW(withName(line, scene())) << line;
+}
+
+TEST(LineWithName, OfAnEntryThatHasOne_IsThatOne_UnlessTheLineSaysAnother) {
+  EXPECT_EQ(withName("midpoint(A, C)", std::string("M")).line, "M = midpoint(A, C)");
+  EXPECT_EQ(withName("N = midpoint(A, C)", std::string("M")).line, "N = midpoint(A, C)");
+  EXPECT_EQ(withName("x + y = 3", std::string("E")).line, "E: x + y = 3");
 }
 
 TEST(LineWithName, OfThreeNumbers_IsAPoint_HoweverTheyAreParted) {
@@ -40,7 +67,9 @@ TEST(LineWithName, OfThreeNumbers_IsAPoint_HoweverTheyAreParted) {
 }
 
 TEST(LineWithName, OfALineWithAName_IsThatLine) {
-  for (const char *line : {"P = (1, 2, 3)", "E1: x = 3", " k=3", "Q = ", "d = distnce(A, B)"})
+  for (const char *line :
+       {"my-plane: x = 1", "A-1 = (1, 2, 3)", "x = (1, 2, 3)", "x = 3, -10 <= x <= 10, step 1/10",
+        "P = (1, 2, 3)", "E1: x = 3", " k=3", "Q = ", "d = distnce(A, B)"})
     EXPECT_EQ(named(line), line);
 }
 

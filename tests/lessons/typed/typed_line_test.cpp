@@ -68,7 +68,7 @@ TEST(TypedLine, ThatIsTheEquationOfASphere_IsIt_WhereItsRadiusIsAFraction) {
     return std::get<TypedFault>(readLine(line, Scene())).sentence;
   };
   EXPECT_EQ(sentence("S: x^2 + y^2 + z^2 = 5"),
-            "Its radius would be √(5), which is no fraction: here spheres have fractions.");
+            "Its radius would be √(5), which is not a fraction: here a radius must be one.");
   EXPECT_EQ(sentence("S: x^2 + y^2 + z^2 = -4"),
             "No point has these coordinates: the square of the radius would be -4.");
   for (const char *line : {"S: x^2 + y^2 + 2z^2 = 9", "S: x^2 + y^2 = 9", "S: x^2 + y^2 + z^2 + x y = 9"})
@@ -86,12 +86,16 @@ TEST(TypedLine, OfAPlaneThroughPoints_HasItsShortestNormal_ButKeepsOneThatIsType
   EXPECT_EQ(normal("F"), ExactVec3(25));
   EXPECT_EQ(lineFor(scene.entries[3]), "E = plane(A, B, C)");
   EXPECT_EQ(lineFor(scene.entries[4]), "F = plane(A, (B - A) × (C - A))");
+  const Scene vectors = typed({"A = (5, 0, 0)", "B = (0, 5, 0)", "n = shortest(B - A)"});
+  EXPECT_EQ(lineFor(vectors.entries[2]), "n = shortest(B - A)");
   EXPECT_EQ(objectOf("E = plane((5, 0, 0), (0, 5, 0), (0, 0, 5))"),
             Object(PlaneObject{{5, 0, 0}, ExactVec3(1)}));
 }
 
 TEST(TypedLine, OfALine_MayCallItsPointsX) {
   EXPECT_EQ(objectOf("g: X = (1, 2, 3) + t(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(std::get<TypedFault>(readLine("E: X = 3", Scene())).sentence,
+            "Behind X = a line is needed, as A + t v.");
 }
 
 TEST(TypedLine, WithNamesInIt_FollowsThem) {

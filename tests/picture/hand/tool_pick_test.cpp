@@ -153,6 +153,15 @@ TEST(ToolPickAt, APlaceOfTheStage_IsThePointThere_OrANewOne) {
   EXPECT_FALSE(pickAt({3, 0, 0}, pointing.tool, pointing.seen())) << "the tool has it";
 }
 
+TEST(ToolPickAt, ACornerThatIsAPoint_IsCalledAsThat_ButAPointThatIsAVectorIsNot) {
+  const Pointing corner{
+      typedScene({"A = (5, 5, 5), hidden", "B = (0, 9, 0)", "C = (9, 0, 0)", "T = triangle(A, B, C)"}),
+      {ToolObject::Segment}};
+  EXPECT_EQ(pickAt({5, 5, 5}, corner.tool, corner.seen())->name, "A");
+  const Pointing vector{typedScene({"v = (5, 5, 5)", "P = v"}), {ToolObject::Segment}};
+  EXPECT_EQ(pickAt({5, 5, 5}, vector.tool, vector.seen())->name, "P");
+}
+
 TEST(FollowedTool, GoesOnWithItsPointsWhereTheyAreNow) {
   const Scene scene = typedScene({"A = (5, 5, 5)", "Q = (1, 1, 1)"});
   ObjectTool tool = withPick({ToolObject::Triangle}, {"A", {5, 5, 5}});

@@ -73,7 +73,8 @@ Figure pointsSeen(const ObjectTool &tool, const ToolScene &scene) {
 
 /// What goes by the name of a point that is seen.
 ToolPick pickNamed(const std::string &seen, const ObjectTool &tool, const Evaluation &evaluation) {
-  const std::string name = sourceOf(evaluation.scene, seen);
+  const std::string source = sourceOf(evaluation.scene, seen);
+  const std::string &name = placeNamed(evaluation, source) ? source : seen; // a place may be a vector's, too
   const auto taken = std::find_if(tool.picks.begin(), tool.picks.end(),
                                   [&](const ToolPick &pick) { return pick.name == name; });
   return taken != tool.picks.end() ? *taken : ToolPick{name, placeNamed(evaluation, name).value()};
