@@ -68,7 +68,8 @@ struct Entry {
 /// Whether there is a picture of the entry, which can be coloured and hidden: of numbers there is none.
 [[nodiscard]] bool isDrawn(const Entry &entry);
 
-/// Whether the entry is an object whose picture has lines, which can be dashed: not so a point or a mesh.
+/// Whether the entry is an object whose picture has lines, which can be dashed: not so a point, a ball or
+/// a mesh.
 [[nodiscard]] bool hasLines(const Entry &entry);
 
 /// Whether the entry is an object that lies on another.

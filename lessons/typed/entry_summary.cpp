@@ -6,6 +6,7 @@
 #include "lessons/object/letters.h"
 #include "lessons/term/angle.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/typed/look_words.h"
 #include "lessons/typed/write_line.h"
 #include "lessons/words.h"
 
@@ -91,7 +92,7 @@ std::string valueOf(const OfferedObject &object) {
 
 EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char decimalMark) {
   EntrySummary summary;
-  const std::string line = lineFor(entry, decimalMark);
+  const std::string line = lineFor(withoutLook(entry), decimalMark); // the row shows the look itself
   const Kind *kind = kindOf(entry);
   summary.definition = !line.empty() ? definitionIn(line) : kind->noun();
   const EvaluatedEntry *evaluated = evaluation.find(entry.name);

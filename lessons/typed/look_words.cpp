@@ -25,6 +25,14 @@ bool setLook(Entry &entry, std::string_view word) {
   return true;
 }
 
+Entry withoutLook(Entry entry) {
+  entry.color.reset();
+  entry.line.reset();
+  entry.label.reset();
+  entry.isHidden = entry.isLocked = false;
+  return entry;
+}
+
 std::vector<std::string> lookWordsOf(const Entry &entry) {
   std::vector<std::string> words;
   if (entry.color)

@@ -102,10 +102,11 @@ void FitsBox::showFits() {
   QStringList names;
   for (const std::string &id : m_shownFor)
     names << QString::fromStdString(id);
-  m_heading->setText(m_fits.empty()
+  m_heading->setText(m_shownFor.empty()
                          ? tr("Select objects here or in the picture (Ctrl for several): what can be made of "
                               "them is offered here.")
-                         : tr("Of %1 can be made:").arg(names.join(", ")));
+                     : m_fits.empty() ? tr("There is nothing to be made of %1.").arg(names.join(", "))
+                                      : tr("Of %1 can be made:").arg(names.join(", ")));
   preview({});
 }
 

@@ -21,6 +21,7 @@ using Told = std::pair<std::string, std::string>;
 TEST(EntrySummary, OfWhatTellsItself_HasNoValueBesides) {
   EXPECT_EQ(summaryOfLast("Q = (1, 2, 3)"), Told("(1, 2, 3)", ""));
   EXPECT_EQ(summaryOfLast("E: x + 2y = 3"), Told("x + 2y = 3", ""));
+  EXPECT_EQ(summaryOfLast("E: x + 2y = 3, green, dashed, locked"), Told("x + 2y = 3", ""));
 }
 
 TEST(EntrySummary, OfAPlaneByAPointAndOfWhatFollowsOthers_IsWhatTheyComeTo) {
@@ -42,7 +43,7 @@ TEST(EntrySummary, OfAConstruction_IsTheValueThatItIsNamedAfter) {
 }
 
 TEST(EntrySummary, OfAConstructionThatHasNoSuchValue_IsTheLastThatItLeadsTo) {
-  EXPECT_EQ(summaryOfLast("T = triangle((0, 0, 0), (2, 0, 0), (0, 3, 0))\na = area(T)").second, "area = 3");
+  EXPECT_EQ(summaryOfLast("T = triangle((0, 0, 0), (2, 0, 0), (0, 3, 0))\na = area(T)").second, "A = 3");
 }
 
 TEST(EntrySummary, OfAnAngle_IsInDegrees) {
