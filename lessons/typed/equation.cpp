@@ -170,6 +170,8 @@ std::variant<SphereObject, FormulaFault> sphereOf(const Formula &left, const For
   const auto found = quadraticOf(zero);
   if (!found)
     return FormulaFault{words("This would be divided by zero."), left.at};
+  if (isZero(found->squares)) // x y = 3 is no nearer to a sphere than to a plane
+    return *faultIn(zero);
   const Rational &square = found->squares.x;
   if (square == 0 || found->squares.y != square || found->squares.z != square || found->hasMixed)
     return FormulaFault{

@@ -358,7 +358,7 @@ private:
     const std::size_t at = m_reader.at();
     const std::string word(m_reader.takeName());
     if (!setLook(m_entry, word))
-      fail(words("“{name}” is no colour, nor anything else that can stand here.", {{"name", word}}), at,
+      fail(words("“{name}” is not a colour, and nothing else that can stand here.", {{"name", word}}), at,
            word.size());
   }
 

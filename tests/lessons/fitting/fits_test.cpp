@@ -199,7 +199,7 @@ TEST(Fits, OfASegmentBetweenPoints_HaveWhatCanBeMadeOfThese) {
                                       "");
   const auto fits = fitsFor(scene, Ids{"s"});
   ASSERT_TRUE(fitOf(fits, "midpoint"));
-  EXPECT_EQ(lineFor(fitOf(fits, "midpoint")->entry), "M = midpoint(A, B)");
+  EXPECT_EQ(lineFor(fitOf(fits, "midpoint")->entry), "m = midpoint(A, B)");
   EXPECT_TRUE(fitOf(fits, "point-point"));
   EXPECT_FALSE(fitOf(fitsFor(scene, Ids{"t"}), "midpoint")) << "its ends are no objects";
 }

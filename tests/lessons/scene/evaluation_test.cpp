@@ -300,7 +300,7 @@ TEST(FigureOf, AnEntryWithALabelOfItsOwn_SaysItsNameAlone_OrItsCoordinatesToo) {
   EXPECT_NE(baseOf(*findMark(figureOf(before), "E")).numbers, "");
   EXPECT_EQ(base("E").numbers, "");
   EXPECT_EQ(base("E.P0").coordinates, "");
-  EXPECT_EQ(base("Q").numbers, "{(11,15,8)}");
+  EXPECT_EQ(base("Q").numbers, "{\\left(11,\\,15,\\,8\\right)}");
   EXPECT_EQ(base("Q").coordinates, "") << "they would stand there twice";
 }
 

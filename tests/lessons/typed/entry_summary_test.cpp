@@ -53,8 +53,9 @@ TEST(EntrySummary, OfAnAngle_IsInDegrees) {
 }
 
 TEST(EntrySummary, OfAConstructionThatMakesObjects_IsItsCaseInWords) {
-  EXPECT_EQ(summaryOfLast("E: x = 1\nF: x = 2\ng = intersect(E, F)").second,
-            "E and F are parallel: they have no point in common.");
+  EXPECT_EQ(
+      summaryOfLast("E: x = 1\nF: x = 2\ng = intersect(E, F)").second,
+      "The normals are multiples of each other, and no point lies in both planes: E and F are parallel.");
 }
 
 TEST(EntrySummary, OfANumber_IsItsValue) {

@@ -32,9 +32,9 @@ TEST(LineWithName, OfWhatHasNoName_HasTheUsualOneThatIsFree) {
   EXPECT_EQ(named("x = 3"), "G: x = 3");
   EXPECT_EQ(named("2x = 3"), "G: 2x = 3");
   EXPECT_EQ(named("x-y = 1"), "G: x-y = 1");
-  EXPECT_EQ(named("B - A"), "v = B - A");
-  EXPECT_EQ(named("2(B - A)"), "v = 2(B - A)");
-  EXPECT_EQ(named("shortest(B - A)"), "v = shortest(B - A)");
+  EXPECT_EQ(named("B - A"), "u = B - A");
+  EXPECT_EQ(named("2(B - A)"), "u = 2(B - A)");
+  EXPECT_EQ(named("shortest(B - A)"), "u = shortest(B - A)");
 }
 
 TEST(LineWithName, IsOfTheKindThatTheLineSays_WhateverLettersAreTaken) {

@@ -56,7 +56,7 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   const Entry labelled = typed({"g = (1, 2, 3) + t(4, 5, 6), value, dotted"}).entries[0];
   EXPECT_EQ(labelled.line, LineStyle::Dotted);
   EXPECT_EQ(labelled.label, LabelText::Value);
-  EXPECT_EQ(lineFor(labelled), "g = (1, 2, 3) + t(4, 5, 6), dotted, value");
+  EXPECT_EQ(lineFor(labelled), "g = line((1, 2, 3), (4, 5, 6)), dotted, value");
 }
 
 TEST(TypedLine, ThatIsTheEquationOfASphere_IsIt_WhereItsRadiusIsAFraction) {
@@ -71,7 +71,7 @@ TEST(TypedLine, ThatIsTheEquationOfASphere_IsIt_WhereItsRadiusIsAFraction) {
             "Its radius would be √(5), which is not a fraction: here a radius must be one.");
   EXPECT_EQ(sentence("S: x^2 + y^2 + z^2 = -4"),
             "No point has these coordinates: the square of the radius would be -4.");
-  for (const char *line : {"S: x^2 + y^2 + 2z^2 = 9", "S: x^2 + y^2 = 9", "S: x^2 + y^2 + z^2 + x y = 9"})
+  for (const char *line : {"S: x^2 + y^2 + 2z^2 = 9", "S: x^2 + y^2 = 9", "S: x^2 + y^2 + z^2 + x*y = 9"})
     EXPECT_TRUE(sentence(line).starts_with("A sphere has an equation as")) << line;
 }
 
