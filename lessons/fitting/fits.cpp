@@ -32,12 +32,16 @@ class Fitter {
 public:
   Fitter(const Scene &scene, const std::vector<std::string> &selected) : m_scene(scene), m_names(scene) {
     m_selected.resize(selected.size());
-    for (SeenObject &object : seenObjectsOf(scene)) {
-      const auto place = std::find(selected.begin(), selected.end(), object.id);
-      if (place == selected.end())
+    std::vector<SeenObject> seen = seenObjectsOf(scene);
+    std::vector<std::string> meant;
+    for (const std::string &id : selected)
+      meant.push_back(meantBy(id, seen));
+    for (SeenObject &object : seen) {
+      const auto place = std::find(meant.begin(), meant.end(), object.id);
+      if (place == meant.end())
         m_otherKinds.insert(object.kind);
       else
-        m_selected[static_cast<std::size_t>(place - selected.begin())] = std::move(object);
+        m_selected[static_cast<std::size_t>(place - meant.begin())] = std::move(object);
     }
     std::erase_if(m_selected, [](const SeenObject &object) { return object.id.empty(); });
   }
@@ -71,6 +75,13 @@ public:
   }
 
 private:
+  /// The one object that a construction makes is meant by the construction, too.
+  static std::string meantBy(const std::string &id, const std::vector<SeenObject> &seen) {
+    const auto isMade = [&](const SeenObject &object) { return object.id != id && ownerOf(object.id) == id; };
+    const auto made = std::find_if(seen.begin(), seen.end(), isMade);
+    return made != seen.end() && std::count_if(seen.begin(), seen.end(), isMade) == 1 ? made->id : id;
+  }
+
   void addOfOne(const SeenObject &object, std::vector<Fit> &found) const {
     addPointsOn(object, found);
     const std::vector<std::string> corners = cornersOf(object);

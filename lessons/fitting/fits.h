@@ -27,7 +27,8 @@ struct Fit {
 /// faces, if it is a triangle, a polygon or a tetrahedron of the scene; of a segment what can be constructed
 /// of its ends.
 ///
-/// The ids are those of scene objects, `Q` or `distance.F`; other ones, and repetitions, count for nothing.
+/// The ids are those of scene objects, `Q` or `distance.F`, or of a construction that makes one object;
+/// other ones, and repetitions, count for nothing.
 /// Each object goes into the first role that takes its kind, in the order of selection, and a list role takes
 /// all that the other roles leave over.
 [[nodiscard]] std::vector<Fit> fitsFor(const Scene &scene, const std::vector<std::string> &selected);

@@ -196,8 +196,7 @@ bool ObjectHand::stepPlace(const QKeyEvent &event) {
 void ObjectHand::turnRoom(bool turned) {
   const ToolWish wish = *wishOf(*m_tool);
   const bool isUpright = roomFor(wish, m_model.stage()).isUpright != turned;
-  const bool isPlace = wish.kind == ToolWish::Kind::Point || wish.kind == ToolWish::Kind::Above;
-  if (!isPlace || isUpright == m_room.isUpright)
+  if (wish.kind != ToolWish::Kind::Point || isUpright == m_room.isUpright)
     return;
   m_room = {nextPlace(), isUpright};
   aim();

@@ -43,8 +43,9 @@ CaseWords tell(const Out &at) {
     return {"perpendicular",
             words("{E.n}·{F.n} = 0: {E} and {F} stand at a right angle to each other.", at.letters)};
   case AcuteAngleCase::Oblique:
-    return {"oblique", words("The planes {E} and {F} meet at the angle φ{degrees}°.", at.letters,
-                             {{"degrees", at.degrees()}})};
+    return {"oblique",
+            words("The planes {E} and {F} meet at the angle φ{degrees}°, and on the other side at 180° − φ.",
+                  at.letters, {{"degrees", at.degrees()}})};
   case AcuteAngleCase::ZeroVector:
     break;
   }

@@ -193,6 +193,13 @@ TEST(Fits, OfObjectsWithCorners_HaveThePlanesOfTheirFaces_ByThePointsThatAreThei
   EXPECT_EQ(linesOf("T"), (Ids{"E = plane(A, B, T.P2)"}));
 }
 
+TEST(Fits, OfAConstructionThatMakesOneObject_AreThoseOfThat) {
+  const Scene scene = *readTypedScene("A = (1, 2, 3)\nB = (4, 0, 6)\nm = midpoint(A, B)\nE: z = 1\n", "");
+  const auto fits = fitsFor(scene, Ids{"m", "E"});
+  ASSERT_TRUE(fitOf(fits, "signed-distance"));
+  EXPECT_EQ(lineFor(fitOf(fits, "signed-distance")->entry), "d = signed-distance(E, m.M)");
+}
+
 TEST(Fits, OfASegmentBetweenPoints_HaveWhatCanBeMadeOfThese) {
   const Scene scene = *readTypedScene("A = (1, 2, 3)\nB = (4, 0, 6)\ns = segment(A, B)\n"
                                       "t = segment((0, 0, 0), (1, 1, 1))\n",

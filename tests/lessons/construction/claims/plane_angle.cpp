@@ -19,7 +19,7 @@ Claims plane_angle() {
       {"{E} and {F} are parallel: the angle is 0°.", areParallel},
       {"{E.n}·{F.n} = 0: {E} and {F} stand at a right angle to each other.",
        [](const TwoPlanes &at) { return at.arePlanes() && at.nn == 0; }},
-      {"The planes {E} and {F} meet at the angle φ{degrees}°.",
+      {"The planes {E} and {F} meet at the angle φ{degrees}°, and on the other side at 180° − φ.",
        [](const TwoPlanes &at, const Said &said) {
          return at.meetInLine() && at.nn != 0 && isAngleOfPlanes(at, said);
        }},
