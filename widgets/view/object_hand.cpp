@@ -239,7 +239,12 @@ void ObjectHand::stepBack() {
 }
 
 void ObjectHand::go(ObjectTool tool) {
-  m_room = roomFor(*wishOf(tool), m_model.stage());
+  const ToolWish wish = *wishOf(tool);
+  m_room = roomFor(wish, m_model.stage());
+  if (wish.kind == ToolWish::Kind::Point && !tool.picks.empty()) { // keys go on below what was taken last
+    const ExactVec3 last = toStage(tool.picks.back().at, CoordinateRole::Position, m_model.stage());
+    m_room.at = {last.x, last.y, m_room.at.z};
+  }
   m_tool = std::move(tool);
   setNext({});
   aim();

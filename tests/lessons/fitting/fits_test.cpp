@@ -147,7 +147,7 @@ TEST(Fits, WithObjectsThatConstructionsMake_HaveTheirIds) {
 TEST(Fits, OfNothingThatIsThere_AreNone) {
   const Scene scene = playground();
   EXPECT_TRUE(fitsFor(scene, Ids()).empty());
-  EXPECT_TRUE(fitsFor(scene, (Ids{"nobody", "d"})).empty());
+  EXPECT_TRUE(fitsFor(scene, (Ids{"nobody", "Q.x"})).empty());
   EXPECT_EQ(fitsFor(scene, Ids{"A", "A", "nobody"}).size(), fitsFor(scene, Ids{"A"}).size());
 }
 
