@@ -195,7 +195,7 @@ void FieldPresenter::enter() {
   const auto read = readLine(named.line, above(), language().decimalMark);
   if (const auto *entry = std::get_if<Entry>(&read))
     return accept(*entry);
-  const TypedFault &fault = std::get<TypedFault>(read);
+  const auto &fault = std::get<TypedFault>(read);
   refuse(QString::fromStdString(fault.sentence),
          partOf(line, std::max(fault.at, named.added) - named.added, fault.length));
 }

@@ -34,6 +34,7 @@ public:
     m_selected.resize(selected.size());
     std::vector<SeenObject> seen = seenObjectsOf(scene);
     std::vector<std::string> meant;
+    meant.reserve(selected.size());
     for (const std::string &id : selected)
       meant.push_back(meantBy(id, seen));
     for (SeenObject &object : seen) {

@@ -37,6 +37,7 @@ bool EntryEdits::add(const Entry &entry) {
 
 bool EntryEdits::addAll(const std::vector<Entry> &entries) {
   std::vector<Edit> edits;
+  edits.reserve(entries.size());
   for (const Entry &entry : entries)
     edits.emplace_back(AddEntry{m_model.session().scene.entries.size() + edits.size(), entry});
   return edit(edits, tr("Add %n entries", nullptr, static_cast<int>(entries.size())));

@@ -11,7 +11,8 @@ namespace halfspace {
 
 /// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked
 /// at from, version 4 what colour an object has, version 5 where labels were put, version 6 formulas in the
-/// place of coordinates, version 7 what is hidden or locked, and `stroke` and `label`; older files are read all the same.
+/// place of coordinates, version 7 what is hidden or locked, and `stroke` and `label`; older files are read
+/// all the same.
 inline constexpr int sessionFileVersion = 7;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;
