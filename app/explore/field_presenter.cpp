@@ -128,6 +128,11 @@ Scene FieldPresenter::above() const {
   return above;
 }
 
+LineWithName FieldPresenter::namedLine() const {
+  const std::string line = m_bar.text().toStdString();
+  return m_edited.empty() ? withName(line, above(), language().decimalMark) : withName(line, m_edited);
+}
+
 void FieldPresenter::putLine(const QString &line) {
   m_bar.setText(line);
   suggest();
@@ -190,8 +195,7 @@ void FieldPresenter::enter() {
   const std::string line = m_bar.text().toStdString();
   if (m_bar.text().trimmed().isEmpty())
     return;
-  const LineWithName named =
-      m_edited.empty() ? withName(line, above(), language().decimalMark) : withName(line, m_edited);
+  const LineWithName named = namedLine();
   const auto read = readLine(named.line, above(), language().decimalMark);
   if (const auto *entry = std::get_if<Entry>(&read))
     return accept(*entry);
@@ -244,10 +248,7 @@ void FieldPresenter::refuse(const QString &sentence, EntryField::Part part) {
 std::vector<FieldPresenter::Offer> FieldPresenter::mends() {
   std::vector<Offer> offers;
   const char mark = language().decimalMark;
-  const std::string said = m_bar.text().toStdString();
-  const std::string typed =
-      (m_edited.empty() ? withName(said, above(), mark) : withName(said, m_edited)).line;
-  for (const std::string &mend : mendsOf(typed, above(), mark)) {
+  for (const std::string &mend : mendsOf(namedLine().line, above(), mark)) {
     const QString line = QString::fromStdString(mend);
     offers.push_back({{line, tr("Enter: take this instead")},
                       [this, line] {

@@ -13,6 +13,7 @@ namespace halfspace {
 class EntryEdits;
 class SceneSelection;
 class SessionFiles;
+struct LineWithName;
 
 /// Reads what is entered as an entry of the scene, which it adds or changes; says what is wrong with it,
 /// where, and what was perhaps meant. While somebody types it suggests how the line could go on, and what of
@@ -62,6 +63,8 @@ private:
   void leave();
   /// What the line is to stand below: all of the scene, or what is above the entry that is edited.
   [[nodiscard]] Scene above() const;
+  /// The line in the field, under the name of the entry that is edited, or a free one, where it has none.
+  [[nodiscard]] LineWithName namedLine() const;
   void putLine(const QString &line);
 
   SessionModel &m_model;

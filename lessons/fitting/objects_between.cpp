@@ -23,10 +23,6 @@ constexpr std::string_view planeOfLessons = "plane-through-points";
 
 Formula named(const std::string &id) { return {FormulaKind::Name, {}, id}; }
 
-Formula wayBetween(const std::string &from, const std::string &to) {
-  return {FormulaKind::Difference, {}, {}, {named(to), named(from)}};
-}
-
 std::string_view kindFor(CoordinateRole role) {
   switch (role) {
   case CoordinateRole::Position:
@@ -71,7 +67,7 @@ std::optional<DerivedObject> through(const Kind &kind, const std::vector<SeenObj
                   [](const SeenObject &each) { return each.kind != PointObject::kind; }))
     return {};
   if (areLedThrough(kind, points.size()))
-    return DerivedObject{&kind, {named(points[0].id), wayBetween(points[0].id, points[1].id)}};
+    return DerivedObject{&kind, {named(points[0].id), wayBetween(named(points[0].id), named(points[1].id))}};
   if (kind.word == PlaneObject::kind && points.size() == 3)
     return planeThrough({points[0].id, points[1].id, points[2].id});
   return {};

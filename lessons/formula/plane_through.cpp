@@ -1,13 +1,10 @@
 #include "lessons/formula/plane_through.h"
 
 namespace halfspace {
-namespace {
 
 Formula wayBetween(const Formula &from, const Formula &to) {
   return {FormulaKind::Difference, {}, {}, {to, from}};
 }
-
-} // namespace
 
 std::vector<Formula> planeThrough(const Formula &a, const Formula &b, const Formula &c) {
   const Formula across{FormulaKind::Cross, {}, {}, {wayBetween(a, b), wayBetween(a, c)}};

@@ -8,6 +8,9 @@
 
 namespace halfspace {
 
+/// B − A: leads from one place to the other.
+[[nodiscard]] Formula wayBetween(const Formula &from, const Formula &to);
+
 /// The point of the plane and its normal: A and shortest((B − A) × (C − A)), so that its equation has whole
 /// numbers without a common factor.
 [[nodiscard]] std::vector<Formula> planeThrough(const Formula &a, const Formula &b, const Formula &c);

@@ -42,8 +42,20 @@ bool spellsNumber(std::string_view text, char decimalMark) {
                      (formula->kind == FormulaKind::Negative && isPlainNumber(formula->parts.front())));
 }
 
+/// The line of a point with these coordinates, under a name that is free where it has none; nothing where
+/// they are not three numbers.
+std::optional<std::string> pointLine(std::string_view name, const std::vector<std::string> &numbers,
+                                     const Scene &above, char decimalMark) {
+  const auto isNumber = [&](std::string_view text) { return spellsNumber(text, decimalMark); };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), isNumber))
+    return {};
+  const std::string between = decimalMark == ',' ? "; " : ", ";
+  return (name.empty() ? FreshNames(above).ofKind(*findKind(PointObject::kind)) : std::string(name)) +
+         " = (" + numbers[0] + between + numbers[1] + between + numbers[2] + ")";
+}
+
 /// Three numbers alone as the line of a point; nothing for any other line.
-std::optional<std::string> pointLine(std::string_view line, const Scene &above, char decimalMark) {
+std::optional<std::string> pointOfNumbers(std::string_view line, const Scene &above, char decimalMark) {
   if (line.size() > 2 && line.front() == '(' && line.back() == ')')
     line = line.substr(1, line.size() - 2);
   const char separator = separatorIn(line, decimalMark);
@@ -51,14 +63,7 @@ std::optional<std::string> pointLine(std::string_view line, const Scene &above, 
   if (separator == ';' || separator == '\t') // then a comma can only be a decimal one
     for (std::string &number : numbers)
       std::replace(number.begin(), number.end(), ',', decimalMark);
-  const auto isNumber = [&](std::string_view text) { return spellsNumber(text, decimalMark); };
-  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), isNumber))
-    return {};
-  const std::string between = decimalMark == ',' ? "; " : ", ";
-  std::string point = FreshNames(above).ofKind(*findKind(PointObject::kind)) + " = (";
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    point += (i > 0 ? between : "") + numbers[i];
-  return point + ")";
+  return pointLine({}, numbers, above, decimalMark);
 }
 
 /// P = (1, 2, 3) for P(1|2|3), as some schools write it; nothing for any other line.
@@ -67,15 +72,10 @@ std::optional<std::string> pointWithBars(std::string_view line, const Scene &abo
   const std::size_t open = text.find('(');
   if (open == std::string_view::npos || text.back() != ')')
     return {};
-  const std::vector<std::string> numbers = parted(text.substr(open + 1, text.size() - open - 2), '|');
   const std::string_view name = trimmed(text.substr(0, open));
-  const auto isNumber = [&](std::string_view number) { return spellsNumber(number, decimalMark); };
-  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), isNumber) ||
-      !(name.empty() || canBeName(name)))
+  if (!name.empty() && !canBeName(name))
     return {};
-  const std::string between = decimalMark == ',' ? "; " : ", ";
-  return (name.empty() ? FreshNames(above).ofKind(*findKind(PointObject::kind)) : std::string(name)) +
-         " = (" + numbers[0] + between + numbers[1] + between + numbers[2] + ")";
+  return pointLine(name, parted(text.substr(open + 1, text.size() - open - 2), '|'), above, decimalMark);
 }
 
 /// What stands before the first sign of a name, if that can be a name; else empty.
@@ -154,15 +154,14 @@ LineWithName under(std::string name, std::string_view line, bool isPlane) {
 LineWithName withName(std::string_view line, const Scene &above, char decimalMark) {
   if (const auto point = pointWithBars(line, above, decimalMark))
     return {*point};
-  if (const auto point = pointLine(line, above, decimalMark))
+  if (const auto point = pointOfNumbers(line, above, decimalMark))
     return {*point};
-  const auto readAs = [&](const LineWithName &named) { return readLine(named.line, above, decimalMark); };
   const std::string_view name = nameIn(line);
   if (!name.empty() && !hasUnknown(name))
     return {std::string(line)};
   const bool isPlane = isEquation(line);
   const LineWithName plain = under(plainName(above), line, isPlane);
-  const auto read = readAs(plain);
+  const auto read = readLine(plain.line, above, decimalMark);
   if (const auto *entry = std::get_if<Entry>(&read))
     return under(usualName(*entry, above), line, isPlane);
   return name.empty() ? plain : LineWithName{std::string(line)};

@@ -89,8 +89,7 @@ Formula difference(Formula to, Formula from) {
   return {FormulaKind::Difference, {}, {}, {std::move(to), std::move(from)}};
 }
 
-/// B − A
-Formula way(const ToolPick &from, const ToolPick &to) { return difference(formulaOf(to), formulaOf(from)); }
+Formula way(const ToolPick &from, const ToolPick &to) { return wayBetween(formulaOf(from), formulaOf(to)); }
 
 /// The lowest corner and the three lengths of the box whose base goes from one point to another, and whose
 /// height goes up to a third: whichever of them is lower in each coordinate as they lie now.
