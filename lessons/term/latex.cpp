@@ -181,6 +181,10 @@ std::string relatedLatex(const Term &value, Fractions fractions) {
   return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, fractions);
 }
 
+std::string degreesLatex(const WrittenNumber &degrees) {
+  return (degrees.exact ? "= " : "\\approx ") + latexOf(degrees.term) + "^{\\circ}";
+}
+
 std::string latexOf(const Chain &chain, Fractions fractions) {
   return TermWriter(LatexNotation(fractions)).write(chain);
 }

@@ -3,6 +3,7 @@
 
 #include "lessons/term/chain.h"
 #include "lessons/term/fractions.h"
+#include "lessons/term/written.h"
 
 #include <string>
 
@@ -20,5 +21,7 @@ namespace halfspace {
 
 /// The value behind the relation that it allows: ` = 10`, ` \approx 3.16228`.
 [[nodiscard]] std::string relatedLatex(const Term &value, Fractions fractions = Fractions::Stacked);
+/// An angle's degrees behind their relation: `= 60^{\circ}`.
+[[nodiscard]] std::string degreesLatex(const WrittenNumber &degrees);
 
 } // namespace halfspace

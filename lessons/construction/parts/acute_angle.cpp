@@ -2,6 +2,7 @@
 
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -39,15 +40,16 @@ WorkingLine acuteLine(const Term &ratio, const Term &a, const Term &b, std::stri
                  words("{answer} is divided by the squares of both lengths: take their roots.")}});
 }
 
-void addAngle(Figure &figure, const Term &angle, const Place &corner, const AngleSide &first,
-              const AngleSide &second, bool isRight) {
-  MarkBase base = drawn(angle, Role::Derived, Subject::Neutral);
-  if (isRight)
+void addAngle(Figure &figure, const DrawnAngle &angle, const Place &corner, const AngleSide &first,
+              const AngleSide &second) {
+  MarkBase base = drawn(angle.letter, angle.role, Subject::Neutral);
+  base.coordinates = degreesLatex(angle.degrees);
+  if (angle.isRight)
     figure.add(RightAngleMark{std::move(base), corner, first.vector, second.vector});
   else
     figure.add(ArcMark{std::move(base), corner, first.vector, second.vector});
   for (const auto &[which, side] : {std::pair("/first", first), std::pair("/second", second)}) {
-    const MarkBase ghost{angle->mark + which, Role::Ghost, side.subject};
+    const MarkBase ghost{angle.letter->mark + which, Role::Ghost, side.subject};
     ArrowMark arrow{ghost, corner, side.vector, true};
     if (glm::length(side.vector) > longestSide)
       arrow.drawnLength = longestSide;

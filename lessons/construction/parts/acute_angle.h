@@ -3,6 +3,7 @@
 
 #include "lessons/construction/working.h"
 #include "lessons/figure/figure.h"
+#include "lessons/term/written.h"
 
 #include <string>
 
@@ -21,9 +22,17 @@ struct AngleSide {
   Look look;
 };
 
+/// An angle by its letter, with the degrees that are written behind that where numbers are.
+struct DrawnAngle {
+  Term letter;
+  WrittenNumber degrees;
+  bool isRight = false;
+  Role role = Role::Result;
+};
+
 /// The angle as the mark that its letter is, at a corner from which both sides are drawn once more: an arc,
 /// or the corner of a right angle.
-void addAngle(Figure &figure, const Term &angle, const Place &corner, const AngleSide &first,
-              const AngleSide &second, bool isRight);
+void addAngle(Figure &figure, const DrawnAngle &angle, const Place &corner, const AngleSide &first,
+              const AngleSide &second);
 
 } // namespace halfspace

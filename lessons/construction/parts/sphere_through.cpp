@@ -166,7 +166,9 @@ Figure drawSphereThrough(const Naming &naming, const SphereThrough &at) {
                  toDouble(at.found.radius)});
   figure.add(pointOf(at.M, Role::Result, Subject::Measure));
   const std::string radius = naming.mark("radius");
-  figure.add(SegmentMark{{radius, Role::Derived, Subject::Measure, latexOf(at.R)}, place(at.M), first});
+  MarkBase measured{radius, Role::Result, Subject::Measure, latexOf(at.R)};
+  measured.coordinates = relatedLatex(calculated(at.R), Fractions::Flat);
+  figure.add(SegmentMark{std::move(measured), place(at.M), first});
   for (std::size_t i = 1; i < at.corners.size(); ++i)
     figure.add(SegmentMark{
         {partOf(radius, i), Role::Helper, Subject::Measure}, place(at.M), place(at.corners.at(i))});

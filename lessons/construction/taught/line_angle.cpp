@@ -31,8 +31,7 @@ struct Out : Computed<In> {
   Term phi = ownName(letter("φ"), std::nullopt).marked(mark("phi"));
   Term cosine = applied(word("cos"), phi, angle.cosine);
 
-  /// With its relation: ` = 60`.
-  [[nodiscard]] std::string degrees() const { return relatedText(degreesOf(cosine)); }
+  [[nodiscard]] WrittenNumber degrees() const { return degreesOf(cosine); }
 };
 
 CaseWords tell(const Out &at) {
@@ -47,10 +46,10 @@ CaseWords tell(const Out &at) {
   case AcuteAngleCase::Oblique:
     return {"oblique", at.closest.which == ClosestPointsCase::Meet
                            ? words("The lines {g} and {h} meet at the angle φ{degrees}°.", at.letters,
-                                   {{"degrees", at.degrees()}})
+                                   {{"degrees", relatedText(at.degrees())}})
                            : words("The lines {g} and {h} do not meet. Their directions have the angle "
                                    "φ{degrees}°.",
-                                   at.letters, {{"degrees", at.degrees()}})};
+                                   at.letters, {{"degrees", relatedText(at.degrees())}})};
   case AcuteAngleCase::ZeroVector:
     break;
   }
@@ -68,9 +67,9 @@ std::string productWords(const Out &at) {
 std::string cosineWords(const Out &at) {
   return at.angle.product < 0
              ? words("φ{degrees}°: the angle of the lines. The directions are 180° − φ apart.",
-                     {{"degrees", at.degrees()}})
+                     {{"degrees", relatedText(at.degrees())}})
              : words("φ{degrees}°: the angle of the lines, and of their directions.",
-                     {{"degrees", at.degrees()}});
+                     {{"degrees", relatedText(at.degrees())}});
 }
 
 /// The directions from the point of the first line that is nearest to the second, which is the common one of
@@ -81,8 +80,8 @@ Figure draw(const Out &at) {
     return figure;
   const Place point = place(at.closest.first);
   const Place second = at.angle.product < 0 ? -place(at.h.v) : place(at.h.v);
-  addAngle(figure, at.phi, point, {place(at.g.v), Subject::Ray, at.in.g.look},
-           {second, Subject::Ray, at.in.h.look}, at.isRight);
+  addAngle(figure, {at.phi, at.degrees(), at.isRight}, point, {place(at.g.v), Subject::Ray, at.in.g.look},
+           {second, Subject::Ray, at.in.h.look});
   figure.reaches = {{at.in.g.id, point}, {at.in.h.id, place(at.closest.second)}};
   return figure;
 }

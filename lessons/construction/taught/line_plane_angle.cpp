@@ -33,8 +33,8 @@ struct Out : Computed<In>, LineTerms, PlaneTerms {
   Term alpha = ownName(letter("α"), std::nullopt).marked(mark("alpha"));
   Term sine = applied(word("sin"), alpha, toNormal.cosine);
 
-  /// With its relation: ` = 60`. The cosine of α is the sine of the angle to the normal.
-  [[nodiscard]] std::string degrees() const { return relatedText(degreesOf(Term(toNormal.sine))); }
+  /// The cosine of α is the sine of the angle to the normal.
+  [[nodiscard]] WrittenNumber degrees() const { return degreesOf(Term(toNormal.sine)); }
 };
 
 CaseWords tell(const Out &at) {
@@ -46,8 +46,8 @@ CaseWords tell(const Out &at) {
   case AcuteAngleCase::Parallel:
     return {"perpendicular", words("{v} is a multiple of {n}: {g} meets {E} at a right angle.", at.letters)};
   case AcuteAngleCase::Oblique:
-    return {"oblique",
-            words("{g} meets {E} at the angle α{degrees}°.", at.letters, {{"degrees", at.degrees()}})};
+    return {"oblique", words("{g} meets {E} at the angle α{degrees}°.", at.letters,
+                             {{"degrees", relatedText(at.degrees())}})};
   case AcuteAngleCase::ZeroVector:
     break;
   }
@@ -64,7 +64,7 @@ std::string productWords(const Out &at) {
 std::string sineWords(const Out &at) {
   return words("α{degrees}°: the angle between {g} and {E}. With {n} the line has the angle 90° − α, whose "
                "cosine this is.",
-               at.letters, {{"degrees", at.degrees()}});
+               at.letters, {{"degrees", relatedText(at.degrees())}});
 }
 
 /// The direction and its shadow from the common point; a line straight along the normal has none, and any
@@ -76,8 +76,8 @@ Figure draw(const Out &at) {
   const Place point = place(at.meet.point);
   const ExactVec3 shadow =
       at.isRight ? anyPerpendicular(at.normal) : projectVector(at.direction, at.normal).rejection;
-  addAngle(figure, at.alpha, point, {place(at.v), Subject::Ray, at.in.g.look},
-           {place(shadow), Subject::Plane, at.in.E.look}, at.isRight);
+  addAngle(figure, {at.alpha, at.degrees(), at.isRight}, point, {place(at.v), Subject::Ray, at.in.g.look},
+           {place(shadow), Subject::Plane, at.in.E.look});
   figure.reaches = {{at.in.g.id, point}, {at.in.E.id, point}};
   return figure;
 }

@@ -29,8 +29,7 @@ struct Out : Computed<In> {
   Term phi = ownName(letter("φ"), std::nullopt).marked(mark("phi"));
   Term cosine = applied(word("cos"), phi, angle.cosine);
 
-  /// With its relation: ` = 60`.
-  [[nodiscard]] std::string degrees() const { return relatedText(degreesOf(cosine)); }
+  [[nodiscard]] WrittenNumber degrees() const { return degreesOf(cosine); }
 };
 
 CaseWords tell(const Out &at) {
@@ -45,7 +44,7 @@ CaseWords tell(const Out &at) {
   case AcuteAngleCase::Oblique:
     return {"oblique",
             words("The planes {E} and {F} meet at the angle φ{degrees}°, and on the other side at 180° − φ.",
-                  at.letters, {{"degrees", at.degrees()}})};
+                  at.letters, {{"degrees", relatedText(at.degrees())}})};
   case AcuteAngleCase::ZeroVector:
     break;
   }
@@ -62,9 +61,9 @@ std::string productWords(const Out &at) {
 
 std::string cosineWords(const Out &at) {
   return at.angle.product < 0 ? words("φ{degrees}°: the angle of the planes. The normals are 180° − φ apart.",
-                                      {{"degrees", at.degrees()}})
+                                      {{"degrees", relatedText(at.degrees())}})
                               : words("φ{degrees}°: the angle of the planes, and of the normals.",
-                                      {{"degrees", at.degrees()}});
+                                      {{"degrees", relatedText(at.degrees())}});
 }
 
 /// The normals from a point of the common line, that of F turned round where they are more than 90° apart.
@@ -74,8 +73,8 @@ Figure draw(const Out &at) {
     return figure;
   const Place point = place(at.meet.nearest);
   const Place second = at.angle.product < 0 ? -place(at.F.n) : place(at.F.n);
-  addAngle(figure, at.phi, point, {place(at.E.n), Subject::Plane, at.in.E.look},
-           {second, Subject::Plane, at.in.F.look}, at.isRight);
+  addAngle(figure, {at.phi, at.degrees(), at.isRight}, point, {place(at.E.n), Subject::Plane, at.in.E.look},
+           {second, Subject::Plane, at.in.F.look});
   figure.add(
       LineMark{{at.phi->mark + "/line", Role::Helper, Subject::Ray}, point, unitOf(at.meet.line.direction)});
   figure.reaches = {{at.in.E.id, point}, {at.in.F.id, point}};

@@ -99,8 +99,8 @@ Figure draw(const Out &at) {
   direction.isFree = true;
   figure.add(std::move(direction));
   figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
-  addAngle(figure, at.phi, point, {place(at.E.n), Subject::Plane, at.in.E.look},
-           {place(at.F.n), Subject::Plane, at.in.F.look}, at.meet.cosine == Surd(0));
+  addAngle(figure, {at.phi, degreesOf(at.cosine), at.meet.cosine == Surd(0), Role::Derived}, point,
+           {place(at.E.n), Subject::Plane, at.in.E.look}, {place(at.F.n), Subject::Plane, at.in.F.look});
   figure.reaches = {{at.in.E.id, point}, {at.in.F.id, point}};
   return figure;
 }
