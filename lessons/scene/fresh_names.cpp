@@ -11,6 +11,7 @@
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/object/kinds/ufo.h"
 #include "lessons/object/kinds/vector.h"
+#include "lessons/term/term.h"
 
 #include <algorithm>
 #include <array>
@@ -50,16 +51,19 @@ bool isUsualLetter(const Kind &kind, char letter) {
   return usualLettersOf(kind).letters.find(letter) != std::string_view::npos;
 }
 
-FreshNames::FreshNames(const Scene &scene) : m_scene(scene) {
-  for (const Entry &entry : scene.entries)
+FreshNames::FreshNames(const Scene &scene) {
+  for (const Entry &entry : scene.entries) {
+    m_spelled.insert(spelledName(entry.name));
     if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
       if (const Construction *construction = findConstruction(use->id))
         for (const ConstructionRole &made : construction->makes)
           m_made.insert(made.name);
+  }
 }
 
 bool FreshNames::isFree(const std::string &name) const {
-  return !m_scene.entries.find(name) && !m_made.contains(name) && unknowns.find(name) == std::string::npos;
+  return !m_spelled.contains(spelledName(name)) && !m_made.contains(name) &&
+         unknowns.find(name) == std::string::npos;
 }
 
 std::string FreshNames::firstFree(std::string_view letters, char numbered) const {

@@ -13,8 +13,7 @@ struct Construction;
 [[nodiscard]] bool isUsualLetter(const Kind &kind, char letter);
 
 /// Names that no entry of a scene has, and no object that a construction makes there, which would no longer
-/// be found by its own name alone. None of them means something else in typed lines: x, y, z and t do. The
-/// scene must outlive it.
+/// be found by its own name alone. None of them means something else in typed lines: x, y, z and t do.
 class FreshNames {
 public:
   explicit FreshNames(const Scene &scene);
@@ -29,7 +28,7 @@ private:
   /// One of the letters that is free, or the first number behind `numbered` with which it is.
   [[nodiscard]] std::string firstFree(std::string_view letters, char numbered) const;
 
-  const Scene &m_scene;
+  std::unordered_set<std::string> m_spelled;   ///< the entries' names, as they are written
   std::unordered_set<std::string_view> m_made; ///< what constructions of the scene call what they make
 };
 

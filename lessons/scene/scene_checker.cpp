@@ -8,6 +8,7 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/formula_names.h"
+#include "lessons/term/term.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -45,19 +46,17 @@ std::optional<Problem> checkTwice(const ConstructionUse &use) {
   return {};
 }
 
-/// Whether the entry can look as it is to look: what is not drawn has no look, and a construction's marks
-/// have the colours of what they speak of.
+/// Whether the entry can look as it is to look: what is not drawn has no look.
 std::optional<Problem> checkLook(const Entry &entry) {
-  const bool isObject = kindOf(entry) != nullptr;
   const bool isSeen = isDrawn(entry);
-  if (entry.color && !(isObject && isSeen))
+  if (entry.color && !isSeen)
     return problemWith(colorField, words("“{name}” has no colour of its own.", {{"name", entry.name}}));
   if (entry.line && !hasLines(entry))
     return problemWith(strokeField, words("“{name}” has no lines of its own.", {{"name", entry.name}}));
   if ((entry.isHidden || entry.label) && !isSeen)
     return problemWith(entry.isHidden ? hiddenField : labelField,
                        words("“{name}” is a number: it is in no picture.", {{"name", entry.name}}));
-  if (entry.isLocked && !(isObject && isSeen))
+  if (entry.isLocked && !(kindOf(entry) && isSeen))
     return problemWith(lockedField, words("No hand moves “{name}” anyway.", {{"name", entry.name}}));
   return {};
 }
@@ -95,6 +94,7 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
   if (auto problem = checkName(entry.name))
     return problem;
   m_names.insert(entry.name);
+  m_spelled.emplace(spelledName(entry.name), entry.name);
   if (auto problem = checkLook(entry))
     return problem;
   if (const auto *object = std::get_if<Object>(&entry.content)) {
@@ -138,6 +138,9 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
     return problemWith(
         "name",
         words("The name “{name}” is taken by an entry above. Every name may stand once.", {{"name", name}}));
+  if (const auto alike = m_spelled.find(spelledName(name)); alike != m_spelled.end())
+    return problemWith("name", words("“{name}” would be written like “{other}”, which is there already.",
+                                     {{"name", name}, {"other", alike->second}}));
   return {};
 }
 

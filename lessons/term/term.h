@@ -34,7 +34,10 @@ struct Symbol {
 [[nodiscard]] Symbol word(std::string word);
 /// The Greek letter that a name spells out, as files write it: λ for lambda; other names are themselves.
 [[nodiscard]] std::string_view spelledLetter(std::string_view name);
-/// A name as it is spelled: `P12` is P with the index 12; a word, or a name with - or _, stands upright.
+/// A name as it is written, `P12` for P_12; other names are themselves.
+[[nodiscard]] std::string spelledName(std::string_view name);
+/// A name as it is spelled: `P12` and `P_12` are P with the index 12; a word, or another name with - or _,
+/// stands upright.
 [[nodiscard]] Symbol symbolOf(std::string_view name);
 
 /// The coordinate of the scene that a number or a vector is.

@@ -123,10 +123,10 @@ private:
     if (found.empty() || found.front().begin != 0)
       return;
     const std::string name(m_line.substr(0, found.front().end));
-    if (!m_names.isTaken(name))
+    if (m_names.isFree(name))
       return;
     int number = 1;
-    while (m_names.isTaken(name + "_" + std::to_string(number)))
+    while (!m_names.isFree(name + "_" + std::to_string(number)))
       ++number;
     add(Slip::OfAWord, found.front(), name + "_" + std::to_string(number));
   }

@@ -90,7 +90,7 @@ private:
     m_entry.name = std::string(m_reader.takeWord());
     if (m_entry.name.empty())
       return fail(words("A line begins with a name, as in Q = (1, 2, 3)."), at, 0);
-    if (m_names.isTaken(m_entry.name))
+    if (!m_names.isFree(m_entry.name))
       return fail(words("There is “{name}” already.", {{"name", m_entry.name}}), at, m_entry.name.size());
     if (!m_reader.take("=") && !m_reader.take(":"))
       fail(words("Here “=” is needed."), m_reader.at(), 0);

@@ -9,8 +9,10 @@
 namespace halfspace {
 
 SceneNames::SceneNames(const Scene &scene) : m_objects(seenObjectsOf(scene)) {
-  for (const Entry &entry : scene.entries)
+  for (const Entry &entry : scene.entries) {
     m_entries.insert(entry.name);
+    m_spelled.insert(spelledName(entry.name));
+  }
 }
 
 std::vector<std::string> SceneNames::idsFor(const std::string &name) const {

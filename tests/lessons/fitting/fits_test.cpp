@@ -1,6 +1,7 @@
 // What can be made of selected objects.
 #include "lessons/construction/construction.h"
 #include "lessons/fitting/fits.h"
+#include "lessons/object/kinds/sphere.h"
 #include "lessons/object/kinds/vector.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/edit.h"
@@ -266,6 +267,13 @@ TEST(FreshNames, OfWhatIsThereOrMade_AreOthers) {
   EXPECT_EQ(names.ofKind(*findKind("segment")), "s");
   EXPECT_EQ(names.ofUse(*findConstruction("signed-distance")), "d1");
   EXPECT_EQ(names.ofUse(*findConstruction("three-methods")), "t1") << "t is the parameter of lines";
+}
+
+TEST(FreshNames, AreNotWrittenLikeNamesThatAreThere) {
+  Scene scene;
+  for (const char *name : {"S", "S_1", "S3"})
+    scene.entries.push_back({name, SphereObject{{0, 0, 0}, 1}});
+  EXPECT_EQ(FreshNames(scene).ofKind(*findKind(SphereObject::kind)), "S2");
 }
 
 TEST(FreshNames, OfEachKindAndConstruction_CanBeNamesHoweverManyThereAre) {

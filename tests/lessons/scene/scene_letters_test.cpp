@@ -47,6 +47,14 @@ TEST(SceneLetters, OfACoordinateThatTwoObjectsHave_SayWhoseItIs) {
   EXPECT_EQ(lettersOf(scene, "Q"), Texts{"Q"}) << "a point goes by its name alone";
 }
 
+TEST(SceneLetters, OfANameWithAnIndex_HaveIt_HoweverItIsTyped) {
+  for (const char *name : {"P12", "P_12"})
+    EXPECT_EQ(lettersOf({{{name, PointObject{}}}}, name), Texts{"P₁₂"});
+  EXPECT_EQ(lettersOf({{{"P_a", PointObject{}}}}, "P_a"), Texts{"P_a"}) << "a word";
+  const Scene planes{{{"E_1", PlaneObject{{0, 0, 0}, {0, 0, 1}}}, planeE()}};
+  EXPECT_EQ(lettersOf(planes, "E_1").at(1), "n_E₁");
+}
+
 TEST(SceneLetters, OfAPointCalledLikeACoordinate_LeaveItTheLetter) {
   const Scene scene{{planeE(), {"n", PointObject{{1, 2, 3}}}}};
   EXPECT_EQ(lettersOf(scene, "n"), Texts{"n"});
