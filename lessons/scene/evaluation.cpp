@@ -1,8 +1,10 @@
 #include "lessons/scene/evaluation.h"
 
+#include "lessons/formula/plane_through.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/plane.h"
 #include "lessons/object/letters.h"
 #include "lessons/scene/formula_names.h"
 #include "lessons/scene/object_outcomes.h"
@@ -19,6 +21,26 @@ namespace {
 /// Whether a role looks at what the object is, or at what it is seen as: a box, a solid, a point.
 bool canStandIn(const ConstructionRole &role, const Object &object) {
   return role.kind == kindOf(object) || role.kind == seenKindOf(object);
+}
+
+/// Whether a mark of a construction's figure is a result, or draws a coordinate of what it makes.
+bool isOfResult(const MarkBase &mark, const EvaluatedEntry &entry) {
+  return mark.role == Role::Result ||
+         std::any_of(entry.offers.begin(), entry.offers.end(),
+                     [&](const OfferedObject &made) { return ownerOf(mark.id) == made.given->id; });
+}
+
+/// With the results of a construction in the look that its entry says.
+Figure inLookOf(const EvaluatedEntry &entry, Figure figure) {
+  const bool hasLook = entry.isConstruction() && (entry.look.hue || entry.look.line);
+  for (std::size_t place = 0; place < figure.marks.size() && hasLook; ++place)
+    if (isOfResult(baseOf(figure.marks[place]), entry))
+      figure.marks.change(place, [&](Mark &mark) {
+        Look &look = baseOf(mark).look;
+        look.hue = entry.look.hue ? entry.look.hue : look.hue;
+        look.line = entry.look.line ? entry.look.line : look.line;
+      });
+  return figure;
 }
 
 /// With what the labels of its entry are to say.
@@ -92,7 +114,7 @@ private:
     const Entry &entry = m_found.scene.entries[place];
     const Look &look = m_found.plan->looks[place];
     if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
-      return evaluatedUse(entry, *use);
+      return evaluatedUse(entry, *use, look);
     if (const auto *derived = std::get_if<DerivedObject>(&entry.content))
       return evaluatedDerived(entry.name, *derived, look);
     const auto *object = std::get_if<Object>(&entry.content);
@@ -141,10 +163,23 @@ private:
     EvaluatedEntry found{name, {}, Naming{name}, {given}};
     found.missing = missing.empty() ? whyNotThere(*given, fault) : missing;
     if (!takeOver(found))
-      found.outcome =
-          found.missing.empty() ? outcomeOfDerived(given, derived) : withoutAnObject(found.missing);
+      found.outcome = found.missing.empty() ? outcomeOfDerived(given, derived, placesAlong(derived))
+                                            : withoutAnObject(found.missing);
     found.offers = {{"", found.looksAt.front(), found.missing}};
     return found;
+  }
+
+  /// The points that a plane was laid through: it is drawn as far as them.
+  [[nodiscard]] std::vector<Place> placesAlong(const DerivedObject &derived) const {
+    std::vector<Place> places;
+    const auto points =
+        derived.kind->word == PlaneObject::kind ? pointsOfPlane(derived.coordinates) : std::nullopt;
+    std::string missing;
+    if (points)
+      for (const Formula &point : *points)
+        places.push_back(toDouble(std::get<ExactVec3>(std::get<FormulaValue>(
+            valueOf(point, [&](std::string_view id) { return valueNamed(id, missing); })))));
+    return places;
   }
 
   /// A coordinate that is another object's, or one of its coordinates, has that one's letter.
@@ -228,12 +263,13 @@ private:
     return found;
   }
 
-  [[nodiscard]] std::optional<EvaluatedEntry> evaluatedUse(const Entry &entry,
-                                                           const ConstructionUse &use) const {
+  [[nodiscard]] std::optional<EvaluatedEntry> evaluatedUse(const Entry &entry, const ConstructionUse &use,
+                                                           const Look &look) const {
     const Construction *construction = findConstruction(use.id);
     if (!construction)
       return {};
     EvaluatedEntry found{entry.name, use.id, letters().namingOf(entry), {}};
+    found.look = look;
     for (const ConstructionRole &role : construction->roles) {
       const auto bound = use.roles.find(role.name);
       if (bound == use.roles.end() || !isCountOf(role, bound->second.ids.size()))
@@ -265,10 +301,11 @@ private:
       const auto object = std::find_if(outcome.objects.begin(), outcome.objects.end(),
                                        [&](const MadeObject &each) { return each.name == made.name; });
       const bool isMade = object != outcome.objects.end();
-      auto given = std::make_shared<const Given<Object>>(
-          letters().made(entry.name, made.name, isMade ? object->object : *makeObject(made.kind)));
+      const auto given =
+          shared(letters().made(entry.name, made.name, isMade ? object->object : *makeObject(made.kind)),
+                 entry.look);
       std::string whyNot = isMade ? whyTooLong(*given) : whyNotMade(*given, entry);
-      offers.push_back({made.name, std::move(given), std::move(whyNot)});
+      offers.push_back({made.name, given, std::move(whyNot)});
     }
     return offers;
   }
@@ -277,6 +314,9 @@ private:
   static std::string whyNotMade(const Given<Object> &made, const EvaluatedEntry &maker) {
     if (!maker.missing.empty())
       return maker.missing;
+    if (findMark(*maker.outcome->figure, made.id))
+      return words("The numbers of {object} are no fractions: nothing can be made of it.",
+                   {{"object", plainText(made.symbol)}});
     return words("{why} So there is no {object} to go on with.",
                  {{"why", maker.outcome->told->description}, {"object", plainText(made.symbol)}});
   }
@@ -291,7 +331,7 @@ private:
   bool takeOver(EvaluatedEntry &entry) const {
     const EvaluatedEntry *old = m_before.find(entry.name);
     if (!old || old->construction != entry.construction || old->missing != entry.missing ||
-        !(old->naming == entry.naming) || !areSame(old->looksAt, entry.looksAt))
+        !(old->naming == entry.naming) || old->look != entry.look || !areSame(old->looksAt, entry.looksAt))
       return false;
     entry.looksAt = old->looksAt;
     entry.outcome = old->outcome;
@@ -331,8 +371,10 @@ Figure figureOf(const Evaluation &evaluation) {
     const Entry &said = *evaluation.scene.entries.find(entry.name);
     if (said.isHidden)
       continue;
-    const Figure &own = *entry.outcome->figure;
-    all.marks.append(said.label ? labelled(own, *said.label).marks : own.marks);
+    Figure own = inLookOf(entry, *entry.outcome->figure);
+    if (said.label)
+      own = labelled(std::move(own), *said.label);
+    all.marks.append(own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }
   return withoutHiddenLabels(reaching(std::move(all)), evaluation.scene.labels);

@@ -30,6 +30,7 @@ struct EvaluatedEntry {
   /// An object as it stands in the scene, a bound one by its freedoms; null for a construction.
   std::shared_ptr<const Given<Object>> own{};
   std::vector<OfferedObject> offers{};
+  Look look{}; ///< of the results of a construction
 
   [[nodiscard]] bool isConstruction() const { return !construction.empty(); }
 };

@@ -53,7 +53,11 @@ std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
   return outcomeOf(given, nothing<std::vector<NamedValue>>(), {});
 }
 
-std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given, const DerivedObject &derived) {
+std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given, const DerivedObject &derived,
+                                                const std::vector<Place> &places) {
+  std::vector<Reach> reaches;
+  for (const Place &place : places)
+    reaches.push_back({given->id, place});
   Outcome outcome =
       *outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
                    std::vector<NamedValue> values;
@@ -63,13 +67,14 @@ std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given, const 
                    return values;
                  }),
                  {});
-  outcome.figure = Lazy<Figure>([given = given.get(), others = marksOfOthers(*given, derived)] {
-    Figure figure{given->object.kind().draw(*given)};
-    for (std::size_t place = 0; place < figure.marks.size(); ++place)
-      if (others.contains(baseOf(figure.marks[place]).id))
-        figure.marks.change(place, [](Mark &mark) { baseOf(mark).label.clear(); });
-    return figure;
-  });
+  outcome.figure = Lazy<Figure>(
+      [given = given.get(), others = marksOfOthers(*given, derived), reaches = std::move(reaches)] {
+        Figure figure{given->object.kind().draw(*given), reaches};
+        for (std::size_t place = 0; place < figure.marks.size(); ++place)
+          if (others.contains(baseOf(figure.marks[place]).id))
+            figure.marks.change(place, [](Mark &mark) { baseOf(mark).label.clear(); });
+        return figure;
+      });
   return std::make_shared<const Outcome>(std::move(outcome));
 }
 

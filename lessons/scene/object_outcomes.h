@@ -11,9 +11,9 @@ using SharedGiven = std::shared_ptr<const Given<Object>>;
 
 /// Of a free object: itself.
 [[nodiscard]] std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given);
-/// Of an object that follows others, with what its coordinates come to.
-[[nodiscard]] std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given,
-                                                              const DerivedObject &derived);
+/// Of an object that follows others, with what its coordinates come to. It is drawn as far as some places.
+[[nodiscard]] std::shared_ptr<const Outcome>
+outcomeOfDerived(const SharedGiven &given, const DerivedObject &derived, const std::vector<Place> &places);
 /// Of an object that lies on another, with its place besides its freedoms; its host is drawn up to there.
 [[nodiscard]] std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given,
                                                             const std::string &host);

@@ -83,8 +83,8 @@ bool isDrawn(const Entry &entry) {
 
 bool hasLines(const Entry &entry) {
   const Kind *kind = kindOf(entry);
-  return kind && isDrawn(entry) && !kind->shape && !kind->binding && kind->word != PointObject::kind &&
-         kind->word != SphereObject::kind;
+  return !kind || (isDrawn(entry) && !kind->shape && !kind->binding && kind->word != PointObject::kind &&
+                   kind->word != SphereObject::kind);
 }
 
 bool areBuiltAlike(const Entry &a, const Entry &b) {

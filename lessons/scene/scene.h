@@ -53,11 +53,13 @@ inline constexpr const char *lockedField = "locked";
 struct Entry {
   std::string name;
   std::variant<Object, ConstructionUse, DerivedObject> content;
-  std::string on{};           ///< the id of the object above that a bound object lies on
-  std::optional<Hue> color{}; ///< of an object, derived or not; nothing where its place in the scene decides
-  bool isHidden = false;      ///< nothing of it is drawn; others go on to look at it
-  bool isLocked = false;      ///< an object that no hand moves
-  std::optional<LineStyle> line{};  ///< of an object; nothing where its place in the scene decides
+  std::string on{}; ///< the id of the object above that a bound object lies on
+  /// Of an object, derived or not, or of the results of a construction; nothing where their place in the
+  /// scene or what they are about decides.
+  std::optional<Hue> color{};
+  bool isHidden = false;            ///< nothing of it is drawn; others go on to look at it
+  bool isLocked = false;            ///< an object that no hand moves
+  std::optional<LineStyle> line{};  ///< of the same
   std::optional<LabelText> label{}; ///< nothing: numbers, and coordinates where they are written
   bool operator==(const Entry &) const = default;
 };
@@ -68,8 +70,7 @@ struct Entry {
 /// Whether there is a picture of the entry, which can be coloured and hidden: of numbers there is none.
 [[nodiscard]] bool isDrawn(const Entry &entry);
 
-/// Whether the entry is an object whose picture has lines, which can be dashed: not so a point, a ball or
-/// a mesh.
+/// Whether the entry's picture has lines, which can be dashed: not so a point's, a ball's or a mesh's.
 [[nodiscard]] bool hasLines(const Entry &entry);
 
 /// Whether the entry is an object that lies on another.

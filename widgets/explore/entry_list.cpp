@@ -5,6 +5,7 @@
 #include "widgets/explore/swatch.h"
 #include "widgets/scene_selection.h"
 
+#include <QActionGroup>
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
@@ -39,13 +40,44 @@ QString titleOf(Hue hue) {
   return EntryList::tr("Red");
 }
 
-/// An item of a menu that shows what is chosen.
-template <class Slot> QAction &addChoice(QMenu &menu, const QString &text, bool isChosen, Slot slot) {
-  QAction &choice = *menu.addAction(text);
-  choice.setCheckable(true);
-  choice.setChecked(isChosen);
-  QObject::connect(&choice, &QAction::triggered, &menu, slot);
-  return choice;
+/// An item of a menu that shows whether it is chosen.
+template <class Slot> QAction &addToggle(QMenu &menu, const QString &text, bool isChosen, Slot slot) {
+  QAction &toggle = *menu.addAction(text);
+  toggle.setCheckable(true);
+  toggle.setChecked(isChosen);
+  QObject::connect(&toggle, &QAction::triggered, &menu, slot);
+  return toggle;
+}
+
+/// The items of a menu of which one is chosen.
+class Choices {
+public:
+  explicit Choices(QMenu &menu) : m_menu(menu), m_group(new QActionGroup(&menu)) {}
+
+  template <class Slot> QAction &add(const QString &text, bool isChosen, Slot slot) {
+    QAction &choice = addToggle(m_menu, text, isChosen, slot);
+    m_group->addAction(&choice);
+    return choice;
+  }
+
+private:
+  QMenu &m_menu;
+  QActionGroup *m_group;
+};
+
+/// Whether the entry is drawn in a colour of its own: an object is, and of a construction its results are.
+bool isColored(const Entry &entry, const Figure &figure) {
+  const auto isResult = [](const Mark &mark) { return baseOf(mark).role == Role::Result; };
+  return isDrawn(entry) && (kindOf(entry) || std::any_of(figure.marks.begin(), figure.marks.end(), isResult));
+}
+
+/// Whether its lines can be dashed.
+bool isLined(const Entry &entry, const Figure &figure) {
+  const auto isLine = [](const Mark &mark) {
+    return baseOf(mark).role == Role::Result && !std::holds_alternative<PointMark>(mark) &&
+           !std::holds_alternative<SphereMark>(mark);
+  };
+  return hasLines(entry) && (kindOf(entry) || std::any_of(figure.marks.begin(), figure.marks.end(), isLine));
 }
 
 } // namespace
@@ -93,8 +125,10 @@ void EntryList::followSelection() {
       rows.select(m_rows->index(row, 0), m_rows->index(row, EntryRows::columnCountOf - 1));
   selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
   if (!rows.isEmpty()) {
-    selectionModel()->setCurrentIndex(rows.last().topLeft(), QItemSelectionModel::NoUpdate);
-    scrollTo(rows.last().topLeft());
+    const QModelIndex last = rows.last().topLeft();
+    selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
+    scrollTo(m_rows->lastOf(last)); // with what it makes, as far as there is room for both
+    scrollTo(last);
   }
   m_isFollowing = false;
 }
@@ -117,8 +151,9 @@ void EntryList::selectionChanged(const QItemSelection &selected, const QItemSele
 std::vector<std::string> EntryList::selectedEntries() const {
   std::vector<std::string> names;
   for (const std::string &id : m_selection.ids())
-    if (m_model.session().scene.entries.find(id))
-      names.push_back(id);
+    if (const std::string name = ownerOf(id); m_model.session().scene.entries.find(name) &&
+                                              std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
   return names;
 }
 
@@ -139,18 +174,24 @@ void EntryList::keyPressEvent(QKeyEvent *event) {
   if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state() != EditingState &&
       currentIndex().isValid())
     return askForLine(currentIndex());
-  if (event->key() == Qt::Key_F2 && currentIndex().isValid())
-    return edit(currentIndex().siblingAtColumn(EntryRows::Name));
+  if (event->key() == Qt::Key_F2 && !name.empty())
+    return edit(m_rows->index(m_rows->rowOf(name), EntryRows::Name));
   if (isAlt && !name.empty() && (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down))
     return m_edits.move(name, event->key() == Qt::Key_Up ? -1 : 1);
   QTreeView::keyPressEvent(event);
 }
 
-void EntryList::contextMenuEvent(QContextMenuEvent *event) {
-  QMenu menu(this);
-  fillMenu(menu);
-  if (!menu.isEmpty())
-    menu.exec(event->globalPos());
+void EntryList::contextMenuEvent(QContextMenuEvent *event) { showMenu(event->globalPos()); }
+
+void EntryList::showMenu(const QPoint &place) {
+  auto *menu = new QMenu(this);
+  menu->setObjectName("entryMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillMenu(*menu);
+  if (menu->isEmpty())
+    delete menu;
+  else
+    menu->popup(place);
 }
 
 void EntryList::fillMenu(QMenu &menu) {
@@ -178,9 +219,9 @@ void EntryList::addToggles(QMenu &menu, const Entry &entry) {
   if (!isDrawn(entry))
     return;
   const std::string name = entry.name;
-  addChoice(menu, tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
+  addToggle(menu, tr("&Visible"), !entry.isHidden, [this, name](bool on) { m_edits.setHidden(name, !on); });
   if (std::holds_alternative<Object>(entry.content))
-    addChoice(menu, tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
+    addToggle(menu, tr("Loc&ked"), entry.isLocked, [this, name](bool on) { m_edits.setLocked(name, on); });
 }
 
 void EntryList::addLabelMenu(QMenu &menu, const Entry &entry) {
@@ -188,28 +229,29 @@ void EntryList::addLabelMenu(QMenu &menu, const Entry &entry) {
     return;
   QMenu &labels = *menu.addMenu(tr("La&bel"));
   labels.setObjectName("labelMenu");
+  Choices choices(labels);
   const std::string name = entry.name;
   const bool isHidden = isLabelHidden(m_model.session().scene.labels, name);
   const auto add = [&](const QString &text, std::optional<LabelText> label) {
-    addChoice(labels, text, !isHidden && entry.label == label,
-              [this, name, label] { m_edits.setLabel(name, label); });
+    choices.add(text, !isHidden && entry.label == label,
+                [this, name, label] { m_edits.setLabel(name, label); });
   };
   add(tr("&Automatic"), {});
   add(tr("&Name"), LabelText::Name);
   add(tr("Name and &Value"), LabelText::Value);
   if (kindOf(entry)) // the marks of a construction have names of their own
-    addChoice(labels, tr("N&one"), isHidden, [this, name] { m_edits.hideLabelOf(name); });
+    choices.add(tr("N&one"), isHidden, [this, name] { m_edits.hideLabelOf(name); });
 }
 
 void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
-  if (!kindOf(entry) || !isDrawn(entry))
+  if (!isColored(entry, *m_model.evaluation().find(entry.name)->outcome->figure))
     return;
   QMenu &colors = *menu.addMenu(tr("&Colour"));
+  colors.setObjectName("colorMenu");
+  Choices choices(colors);
   const std::string name = entry.name;
   const auto add = [&](const QString &text, const QIcon &icon, std::optional<Hue> hue) {
-    addChoice(colors, text, entry.color == hue, [this, name, hue] {
-      m_edits.setColor(name, hue);
-    }).setIcon(icon);
+    choices.add(text, entry.color == hue, [this, name, hue] { m_edits.setColor(name, hue); }).setIcon(icon);
   };
   add(tr("Automatic"), {}, {});
   for (std::size_t i = 0; i < hueCount; ++i) {
@@ -219,13 +261,14 @@ void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
 }
 
 void EntryList::addLineMenu(QMenu &menu, const Entry &entry) {
-  if (!hasLines(entry))
+  if (!isLined(entry, *m_model.evaluation().find(entry.name)->outcome->figure))
     return;
   QMenu &lines = *menu.addMenu(tr("&Lines"));
   lines.setObjectName("lineMenu");
+  Choices choices(lines);
   const std::string name = entry.name;
   const auto add = [&](const QString &text, std::optional<LineStyle> line) {
-    addChoice(lines, text, entry.line == line, [this, name, line] { m_edits.setLine(name, line); });
+    choices.add(text, entry.line == line, [this, name, line] { m_edits.setLine(name, line); });
   };
   add(tr("&Automatic"), {});
   add(tr("&Solid"), LineStyle::Solid);

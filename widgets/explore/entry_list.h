@@ -15,7 +15,7 @@ class SceneSelection;
 
 /// Shows the rows of a scene, shares its selection, and hands on what is done in it: a double click or Enter
 /// asks for the line of an entry, F2 for another name, Delete takes away, Alt with an arrow and dragging a
-/// row move; the rest stands in the menu of the right button.
+/// row move; the rest stands in the menu of the right button. What an entry makes stands for the entry.
 class EntryList : public QTreeView {
   Q_OBJECT
 public:
@@ -25,6 +25,8 @@ public:
   void setTheme(const Theme &theme);
   /// What can be done with what is selected.
   void fillMenu(QMenu &menu);
+  /// … at a place of the screen, if there is anything.
+  void showMenu(const QPoint &place);
 
 signals:
   void lineWanted(const QString &name);             ///< an entry is to be edited as it is typed
@@ -37,6 +39,7 @@ protected:
 
 private:
   void followSelection();
+  /// Those that are selected, or of which something is that they make.
   [[nodiscard]] std::vector<std::string> selectedEntries() const;
   [[nodiscard]] std::string currentEntry() const; ///< empty where none is
   void askForLine(const QModelIndex &index);

@@ -64,6 +64,13 @@ int EntryRows::rowOf(const std::string &id) const {
   return found == m_ids.end() ? -1 : static_cast<int>(found - m_ids.begin());
 }
 
+QModelIndex EntryRows::lastOf(const QModelIndex &row) const {
+  int last = row.row();
+  while (last + 1 < rowCount() && isMade(idIn(last + 1)))
+    ++last;
+  return row.siblingAtRow(last);
+}
+
 int EntryRows::rowCount(const QModelIndex &parent) const {
   return parent.isValid() ? 0 : static_cast<int>(m_ids.size());
 }
@@ -124,14 +131,21 @@ QString EntryRows::tipIn(int row) const {
   return QString::fromStdString(evaluated->looksAt.front()->object.kind().noun());
 }
 
+std::optional<Subject> EntryRows::subjectIn(int row, const Kind &kind) const {
+  const std::string &id = idIn(row);
+  if (!isMade(id))
+    return kind.subject;
+  const Mark *mark = findMark(*m_model.evaluation().find(ownerOf(id))->outcome->figure, id);
+  return mark ? std::optional(baseOf(*mark).subject) : std::nullopt;
+}
+
 QVariant EntryRows::swatchIn(int row) const {
-  const Entry *entry = entryIn(row);
-  const EvaluatedEntry *evaluated = entry ? m_model.evaluation().find(entry->name) : nullptr;
-  if (!evaluated || evaluated->isConstruction())
-    return {};
-  const Given<Object> &given = *evaluated->looksAt.front();
-  const auto subject = given.object.kind().subject;
-  const auto hue = given.look.hue ? given.look.hue : subject ? std::optional(hueOf(*subject)) : std::nullopt;
+  const OfferedObject *object = findOffered(m_model.evaluation(), idIn(row));
+  if (!object)
+    return {}; // of a construction: what it makes has its colours
+  const std::optional<Subject> subject = subjectIn(row, object->given->object.kind());
+  const Look &look = object->given->look;
+  const auto hue = look.hue ? look.hue : subject ? std::optional(hueOf(*subject)) : std::nullopt;
   return hue ? QVariant(swatchOf(toQColor(m_theme->colorOf(*hue)))) : QVariant();
 }
 

@@ -25,6 +25,8 @@ public:
   [[nodiscard]] const std::string &idIn(int row) const { return m_ids.at(static_cast<std::size_t>(row)); }
   /// −1 for none.
   [[nodiscard]] int rowOf(const std::string &id) const;
+  /// The last row of what the entry of a row makes; the row itself where that is nothing.
+  [[nodiscard]] QModelIndex lastOf(const QModelIndex &row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -53,6 +55,8 @@ private:
   [[nodiscard]] std::size_t entriesAbove(int row) const;
   [[nodiscard]] QString textIn(const QModelIndex &index) const;
   [[nodiscard]] QString tipIn(int row) const;
+  /// What the object of a row is drawn as: one of this kind, or the mark of a construction.
+  [[nodiscard]] std::optional<Subject> subjectIn(int row, const Kind &kind) const;
   [[nodiscard]] QVariant swatchIn(int row) const;
 
   const SessionModel &m_model;

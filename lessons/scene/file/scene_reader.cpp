@@ -180,7 +180,7 @@ RoleObjects readRole(const DocumentNode &role, FieldReader &fields) {
 }
 
 ConstructionUse readUse(FieldReader &fields) {
-  fields.allowOnly({"name", "construction", "of", labelField, hiddenField});
+  fields.allowOnly({"name", "construction", "of", colorField, strokeField, labelField, hiddenField});
   ConstructionUse use;
   use.id = fields.text("construction");
   const DocumentNode *roles = fields.required("of");
@@ -232,13 +232,12 @@ std::optional<Named> readOneOf(FieldReader &fields, const char *field,
   return named;
 }
 
-/// Reads how an object is drawn; of a construction, what its marks say, and whether they are seen.
+/// Reads how the entry is drawn; a construction has no hand that moves it.
 void readLook(FieldReader &fields, Entry &entry) {
-  if (kindOf(entry)) {
-    entry.color = readOneOf<Hue>(fields, colorField, findHue, hueNames());
-    entry.line = readOneOf<LineStyle>(fields, strokeField, findLineStyle, lineStyleNames());
+  entry.color = readOneOf<Hue>(fields, colorField, findHue, hueNames());
+  entry.line = readOneOf<LineStyle>(fields, strokeField, findLineStyle, lineStyleNames());
+  if (kindOf(entry))
     entry.isLocked = fields.truth(lockedField, false);
-  }
   entry.label = readOneOf<LabelText>(fields, labelField, findLabelText, labelTextNames());
   entry.isHidden = fields.truth(hiddenField, false);
 }

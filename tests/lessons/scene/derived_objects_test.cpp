@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -48,6 +50,14 @@ TEST(DerivedObjects, FollowWhatTheyAreMadeOf) {
   EXPECT_EQ(objectOf(after, "M"), Object(PointObject{{0, 1, 2}}));
   EXPECT_EQ(objectOf(after, "v"), Object(VectorObject{ExactVec3(0), {-1, -1, -3}}));
   EXPECT_EQ(objectOf(after, "S")[0], ExactVec3(0, 1, 2));
+}
+
+TEST(DerivedObjects, PlaneThroughPoints_IsDrawnAsFarAsThem) {
+  const Figure figure =
+      figureOf(evaluate(typed({"A = (0, 0, 0)", "B = (20, 0, 0)", "C = (0, -20, 0)", "E = plane(A, B, C)"})));
+  const auto &patch = std::get<PlanePatchMark>(*findMark(figure, "E"));
+  for (const Place &corner : {Place(20, 0, 0), Place(0, -20, 0)})
+    EXPECT_NE(std::find(patch.covers.begin(), patch.covers.end(), corner), patch.covers.end());
 }
 
 TEST(DerivedObjects, ThatNothingConcerns_AreTheSameAsBefore) {

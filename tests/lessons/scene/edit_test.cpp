@@ -143,16 +143,25 @@ TEST(ReplaceEntry, ByWhatOthersCannotLookAtOrByATakenName_IsRefused) {
   EXPECT_EQ(refusal(chain(), ReplaceEntry{"X", {"X", PointObject{}}}), "There is no “X” in the scene.");
 }
 
+TEST(AddEntry, WithANameThatIsWrittenLikeAnother_IsRefused) {
+  Scene scene = chain();
+  scene.entries.push_back({"P_1", PointObject{}});
+  EXPECT_EQ(refusal(scene, AddEntry{0, {"P1", PointObject{}}}),
+            "“P_1” would be written like “P1”, which is there already.");
+  EXPECT_EQ(refusal(scene, AddEntry{0, {"P2", PointObject{}}}), "");
+}
+
 TEST(ReplaceEntry, WithALookThatItCannotHave_IsRefusedWithASentence) {
   Entry distance = *chain().entries.find("distance");
   distance.color = Hue::Red;
-  EXPECT_EQ(refusal(chain(), ReplaceEntry{"distance", distance}), "“distance” has no colour of its own.");
-  distance.color.reset();
+  distance.line = LineStyle::Dotted;
   distance.isHidden = true;
   EXPECT_EQ(refusal(chain(), ReplaceEntry{"distance", distance}), "");
   Entry number{"k", NumberObject{1, 0, 2, 1}};
   number.isHidden = true;
   EXPECT_EQ(refusal(chain(), AddEntry{0, number}), "“k” is a number: it is in no picture.");
+  number.color = Hue::Red;
+  EXPECT_EQ(refusal(chain(), AddEntry{0, number}), "“k” has no colour of its own.");
 }
 
 TEST(ChangeLabel, OfNoEntryOrBeyondTheLimits_IsRefused) {

@@ -3,10 +3,12 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/typed/typed_scene.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace halfspace {
@@ -207,6 +209,16 @@ TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
   EXPECT_EQ(evaluate(scene, gone).find("height")->outcome->told->name, "positive");
 }
 
+TEST(Evaluate, WhatIsThereButHasRoots_SaysThatNothingCanBeMadeOfIt) {
+  const Evaluation evaluation = evaluate(*readTypedScene(
+      "A = (0, 0, 0)\nB = (2, 0, 0)\nC = (0, 2, 0)\nD = (0, 0, 2)\nc = circumsphere(A, B, C, D)\n", "typed"));
+  const auto &offers = evaluation.find("c")->offers;
+  const auto sphere =
+      std::find_if(offers.begin(), offers.end(), [](const OfferedObject &made) { return made.name == "S"; });
+  ASSERT_NE(sphere, offers.end());
+  EXPECT_EQ(sphere->whyNot, "The numbers of S are no fractions: nothing can be made of it.");
+}
+
 TEST(Evaluate, AChainWhoseNumbersGrowWithoutEnd_EndsWithASentence) {
   const Rational odd = 1 / (powerOfTen(coordinateDigits - 1) + 7);
   Scene scene{{{"E", PlaneObject{{odd, 1, 2}, {1, odd, 3}}},
@@ -311,6 +323,38 @@ TEST(FigureOf, AnEntryInAnotherLineStyle_IsDrawnInIt_WhereNothingElseHasChanged)
   const Evaluation after = evaluate(scene, before);
   EXPECT_EQ(baseOf(*findMark(figureOf(after), "E")).look.line, LineStyle::Dotted);
   EXPECT_EQ(baseOf(*findMark(figureOf(after), "Q")).look.line, std::nullopt);
+}
+
+TEST(FigureOf, AConstructionInALookOfItsOwn_HasItsResultsInIt_AndSoHasWhatLooksAtThem) {
+  Scene scene = chainedScene();
+  const Evaluation before = evaluate(scene);
+  scene.entries.change(*scene.entries.placeOf("distance"), [](Entry &entry) {
+    entry.color = Hue::Pink;
+    entry.line = LineStyle::Dashed;
+  });
+  const Evaluation after = evaluate(scene, before);
+  const Figure figure = figureOf(after);
+  for (const Mark &mark : figureOf(before).marks) {
+    const MarkBase &was = baseOf(mark);
+    const Look &look = baseOf(*findMark(figure, was.id)).look;
+    if (was.id.starts_with("distance.") && was.role == Role::Result) {
+      EXPECT_EQ(look.hue, Hue::Pink) << was.id;
+      EXPECT_EQ(look.line, LineStyle::Dashed) << was.id;
+    } else {
+      EXPECT_EQ(look, was.look) << was.id;
+    }
+  }
+  EXPECT_EQ(hueOf(baseOf(*findMark(figure, "distance.F"))), Hue::Pink);
+  EXPECT_EQ(after.find("beyond")->looksAt[1]->look.hue, Hue::Pink) << "the point that it speaks of";
+}
+
+TEST(FigureOf, AnAngleOrARadiusWithItsValue_IsMeasured) {
+  const Figure figure = figureOf(evaluate(*readTypedScene(
+      "E: z = 0\nF: x + z = 0\nphi = angle(E, F), value\n"
+      "A = (0, 0, 0)\nB = (2, 0, 0)\nC = (0, 2, 0)\nD = (0, 0, 2)\nc = circumsphere(A, B, C, D), value\n",
+      "typed")));
+  EXPECT_EQ(baseOf(*findMark(figure, "phi.phi")).numbers, "= 45^{\\circ}");
+  EXPECT_EQ(baseOf(*findMark(figure, "c.radius")).numbers, " = \\sqrt{3}");
 }
 
 TEST(Figure, OfAHiddenEntry_HasNothingOfIt_AndOthersGoOnToLookAtIt) {
