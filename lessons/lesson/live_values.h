@@ -1,7 +1,7 @@
 // Values among the words of a lesson: `{f}` stands for what f comes to.
 #pragma once
 
-#include "lessons/scene/evaluation.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/term/term.h"
 
 #include <functional>
@@ -30,6 +30,16 @@ using LiveValue = std::variant<std::string, LiveNumber>;
 /// while those are hidden, and a dash for one that the case does not have.
 [[nodiscard]] LiveValue liveValue(const std::string &name, const Scene &scene, const Evaluation &evaluation,
                                   LiveValues values = LiveValues::Shown);
+
+/// The coordinate of an object that a construction makes: `distance.F`, or F where one entry alone makes an
+/// F. Nothing for other names, and for what is not there now.
+[[nodiscard]] std::optional<CoordinateValue> valueMade(const std::string &name, const Evaluation &evaluation);
+
+/// All names that have a value at present, each once: of the scene's coordinates, of what its entries come
+/// to, of the objects that these make.
+[[nodiscard]] std::vector<std::string> liveNames(const Evaluation &evaluation);
+/// A name with what it stands for: `Q = (1, 2, 3)`, `d ≈ 3.162`.
+[[nodiscard]] std::string liveText(const std::string &name, const Evaluation &evaluation);
 
 /// What each name stands for at present.
 using LiveValueOf = std::function<LiveValue(const std::string &name)>;

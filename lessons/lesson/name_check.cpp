@@ -5,6 +5,7 @@
 #include "lessons/lesson/entry_names.h"
 #include "lessons/lesson/lesson_markup.h"
 #include "lessons/lesson/lesson_words.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -269,7 +270,7 @@ private:
   }
 
   [[nodiscard]] std::string whyNotLive(const std::string &name) const {
-    if (findCoordinate(m_lesson.scene, name) || findValue(m_start, name))
+    if (findCoordinate(m_lesson.scene, name) || findValue(m_start, name) || valueMade(name, m_start))
       return {};
     const std::string sentence = whyNoValue(name);
     return !sentence.empty()

@@ -33,15 +33,23 @@ std::string sourceOf(const Scene &scene, std::string name) {
   return name;
 }
 
-std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name) {
+std::optional<CoordinateValue> coordinateValue(const Evaluation &evaluation, std::string_view name) {
   const auto place = coordinateNamed(name, [&](std::string_view id) -> const Kind * {
     const OfferedObject *object = findOffered(evaluation, id);
     return object ? &object->given->object.kind() : nullptr;
   });
-  if (!place || place->role != CoordinateRole::Position)
+  if (!place)
     return {};
   const OfferedObject *object = findOffered(evaluation, place->object);
-  return object->whyNot.empty() ? std::optional(object->given->object[place->index]) : std::nullopt;
+  if (!object->whyNot.empty())
+    return {};
+  return CoordinateValue{place->role, object->given->object[place->index]};
+}
+
+std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name) {
+  const auto coordinate = coordinateValue(evaluation, name);
+  return coordinate && coordinate->role == CoordinateRole::Position ? std::optional(coordinate->value)
+                                                                    : std::nullopt;
 }
 
 } // namespace halfspace

@@ -13,8 +13,16 @@ namespace halfspace {
 /// T = triangle(A, B, C), and for what follows that in turn; else the name itself.
 [[nodiscard]] std::string sourceOf(const Scene &scene, std::string name);
 
-/// The place that a name stands for in a formula: a point, `T.P0`. Nothing for what is no place, and for what
-/// is not there now.
+/// A coordinate as it is now; a single number stands in x.
+struct CoordinateValue {
+  CoordinateRole role;
+  ExactVec3 value;
+};
+/// The coordinate that a name stands for in a formula: of `Q`, `T.P0`, `hit.L.r`. Nothing for what is no
+/// coordinate, and for what is not there now.
+[[nodiscard]] std::optional<CoordinateValue> coordinateValue(const Evaluation &evaluation,
+                                                             std::string_view name);
+/// … where it is a place.
 [[nodiscard]] std::optional<ExactVec3> placeNamed(const Evaluation &evaluation, std::string_view name);
 
 } // namespace halfspace

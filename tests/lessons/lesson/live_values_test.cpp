@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 namespace halfspace {
 namespace {
 
@@ -38,6 +41,24 @@ TEST(LiveValues, OfNumbersVectorsAndWords_StandInThePlaceOfTheirNames) {
 TEST(LiveValues, OfCoordinates_GoByShortAndFullNames) {
   EXPECT_EQ(filled("{Q} {E.n} {n}"),
             "$\\left(11,\\,15,\\,8\\right)$ $\\left(1,\\,2,\\,2\\right)$ $\\left(1,\\,2,\\,2\\right)$");
+}
+
+TEST(LiveValues, OfWhatConstructionsMake_GoByTheirNames_AndAreHiddenLikeOtherResults) {
+  EXPECT_EQ(filled("{distance.F}"), "$\\left(23/3,\\,25/3,\\,4/3\\right)$");
+  const Scene scene = test::distanceScene();
+  EXPECT_EQ(liveValue("distance.F", scene, evaluate(scene), LiveValues::Hidden), LiveValue("?"));
+}
+
+TEST(LiveValues, ThatAreThere_AreAllNamedOnce_WithWhatTheyAre) {
+  const Evaluation evaluation = evaluate(test::distanceScene());
+  const std::vector<std::string> names = liveNames(evaluation);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  std::vector<std::string> texts;
+  for (const std::string &name : names)
+    texts.push_back(liveText(name, evaluation));
+  for (const char *expected : {"Q = (11, 15, 8)", "n = (1, 2, 2)", "f = 30", "side = positive",
+                               "signed_distance = 10", "distance.F = (23/3, 25/3, 4/3)"})
+    EXPECT_NE(std::find(texts.begin(), texts.end(), expected), texts.end()) << expected;
 }
 
 TEST(LiveValues, OfBoundPoints_AreTheirFreedomsAndTheirPlace) {
