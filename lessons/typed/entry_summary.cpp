@@ -95,6 +95,8 @@ EntrySummary summaryOf(const Entry &entry, const Evaluation &evaluation, char de
   const std::string line = lineFor(withoutLook(entry), decimalMark); // the row shows the look itself
   const Kind *kind = kindOf(entry);
   summary.definition = !line.empty() ? definitionIn(line) : kind->noun();
+  if (entry.isLocked)
+    summary.definition += words(", locked");
   const EvaluatedEntry *evaluated = evaluation.find(entry.name);
   if (!evaluated)
     return summary;

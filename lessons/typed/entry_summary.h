@@ -6,7 +6,8 @@
 namespace halfspace {
 
 struct EntrySummary {
-  /// As it is typed, behind the name, without its look: `midpoint(A, B)`; of a mesh the noun of its kind.
+  /// As it is typed, behind the name, without its look, but whether it is locked: `midpoint(A, B)`; of a mesh
+  /// the noun of its kind.
   std::string definition;
   /// What that comes to, where the definition does not say it: a plane's equation, the coordinates of what
   /// follows others, the number that a construction leads to, or its case in words; what is wrong with it.

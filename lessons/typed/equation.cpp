@@ -79,7 +79,7 @@ std::optional<Rational> valueAt(const Formula &formula, const ExactVec3 &place) 
 }
 
 /// A point of n · x = d on an axis.
-ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
+ExactVec3 pointOnAxis(const ExactVec3 &normal, const Rational &d) {
   std::optional<int> chosen;
   for (int axis = 0; axis < 3; ++axis) {
     if (normal[axis] == 0)
@@ -90,6 +90,32 @@ ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
   ExactVec3 point(0);
   point[*chosen] = d / normal[*chosen];
   return point;
+}
+
+/// So far from the whole numbers nearest to the foot of the origin others are tried.
+constexpr int farthestTried = 2;
+
+/// A point of n · x = d with whole numbers as near to the origin as one is found, so that the plane is seen
+/// where the axes are; else one on an axis.
+ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
+  const ExactVec3 foot = normal * Rational(d / dot(normal, normal));
+  std::optional<ExactVec3> nearest;
+  const auto tryPoint = [&](ExactVec3 point, int solved) {
+    point[solved] = 0;
+    point[solved] = (d - dot(normal, point)) / normal[solved];
+    const bool isNearer = !nearest || dot(point, point) < dot(*nearest, *nearest);
+    if (point[solved].isInteger() && isNearer)
+      nearest = point;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = -farthestTried; i <= farthestTried && normal[axis] != 0; ++i)
+      for (int j = -farthestTried; j <= farthestTried; ++j) {
+        ExactVec3 point(0);
+        point[(axis + 1) % 3] = roundToMultiple(foot[(axis + 1) % 3], 1) + i;
+        point[(axis + 2) % 3] = roundToMultiple(foot[(axis + 2) % 3], 1) + j;
+        tryPoint(point, axis);
+      }
+  return nearest.value_or(pointOnAxis(normal, d));
 }
 
 /// A quadratic formula: a·x² for each axis, the factor of x for each axis, and what stands alone.

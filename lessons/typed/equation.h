@@ -7,8 +7,8 @@
 
 namespace halfspace {
 
-/// The plane of left = right, with x, y and z and with numbers; its point lies on an axis, with whole numbers
-/// where one such has them. Or what keeps it from being one.
+/// The plane of left = right, with x, y and z and with numbers; its point has whole numbers near the origin
+/// where there are such, else it lies on an axis. Or what keeps it from being one.
 [[nodiscard]] std::variant<PlaneObject, FormulaFault> planeOf(const Formula &left, const Formula &right);
 
 /// Whether names, as x, y and z, are squared or multiplied by one another in left = right, and nothing beyond

@@ -8,6 +8,7 @@
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/vector.h"
+#include "lessons/typed/call_words.h"
 #include "lessons/typed/equation.h"
 #include "lessons/typed/look_words.h"
 #include "lessons/typed/scene_names.h"
@@ -87,11 +88,12 @@ private:
   }
 
   std::string useText(const ConstructionUse &use) const {
+    const Construction &construction = *findConstruction(use.id);
     std::string arguments;
-    for (const ConstructionRole &role : findConstruction(use.id)->roles)
+    for (const ConstructionRole &role : construction.roles)
       for (const std::string &id : use.roles.at(role.name).ids)
         arguments += (arguments.empty() ? "" : m_separator) + id;
-    return use.id + "(" + arguments + ")";
+    return std::string(callOf(construction)) + "(" + arguments + ")";
   }
 
   std::string text(const Formula &formula) const { return toText(formula, m_mark); }

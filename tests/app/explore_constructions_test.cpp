@@ -2,6 +2,7 @@
 #include "lessons/construction/construction.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/solid.h"
+#include "lessons/typed/call_words.h"
 #include "tests/app/explore_fixture.h"
 
 using namespace halfspace;
@@ -43,7 +44,7 @@ public:
     return std::get<ConstructionUse>(scene.entries[m_construction.roles.size()].content);
   }
   /// The button that makes it.
-  QPushButton *button() { return fit(QString::fromUtf8(m_construction.id.data()) + "("); }
+  QPushButton *button() { return fit(QString::fromStdString(std::string(callOf(m_construction)) + "(")); }
 
 private:
   const Construction &m_construction;

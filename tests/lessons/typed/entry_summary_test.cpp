@@ -21,12 +21,12 @@ using Told = std::pair<std::string, std::string>;
 TEST(EntrySummary, OfWhatTellsItself_HasNoValueBesides) {
   EXPECT_EQ(summaryOfLast("Q = (1, 2, 3)"), Told("(1, 2, 3)", ""));
   EXPECT_EQ(summaryOfLast("E: x + 2y = 3"), Told("x + 2y = 3", ""));
-  EXPECT_EQ(summaryOfLast("E: x + 2y = 3, green, dashed, locked"), Told("x + 2y = 3", ""));
+  EXPECT_EQ(summaryOfLast("E: x + 2y = 3, green, dashed, locked"), Told("x + 2y = 3, locked", ""));
 }
 
 TEST(EntrySummary, OfAPlaneByAPointAndOfWhatFollowsOthers_IsWhatTheyComeTo) {
-  EXPECT_EQ(summaryOfLast("E = plane((1, 1, 1), (1, 2, 2))"),
-            Told("plane((1, 1, 1), (1, 2, 2))", "x + 2y + 2z − 5 = 0"));
+  EXPECT_EQ(summaryOfLast("E = plane((5, 0, 0), (1, 2, 2))"),
+            Told("plane((5, 0, 0), (1, 2, 2))", "x + 2y + 2z − 5 = 0"));
   EXPECT_EQ(summaryOfLast("A = (1, 2, 3)\nM = A/2"), Told("A/2", "(1/2, 1, 3/2)"));
 }
 

@@ -38,8 +38,8 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   EXPECT_EQ(objectOf("Q = (1/2, -3 1/3, 0.25)"),
             Object(PointObject{{test::q(1, 2), test::q(-10, 3), test::q(1, 4)}}));
   EXPECT_EQ(objectOf("v=(1,2,3)"), Object(VectorObject{ExactVec3(0), {1, 2, 3}}));
-  EXPECT_EQ(objectOf("E: x + 2y + 2z = 27"), Object(PlaneObject{{27, 0, 0}, {1, 2, 2}}));
-  EXPECT_EQ(objectOf("E: 2(x + y) = 3z - 6 + y"), Object(PlaneObject{{-3, 0, 0}, {2, 1, -3}}));
+  EXPECT_EQ(objectOf("E: x + 2y + 2z = 27"), Object(PlaneObject{{3, 6, 6}, {1, 2, 2}}));
+  EXPECT_EQ(objectOf("E: 2(x + y) = 3z - 6 + y"), Object(PlaneObject{{-1, -1, 1}, {2, 1, -3}}));
   EXPECT_EQ(objectOf("g = (1, 2, 3) + t(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(objectOf("g = (1, 2, 3) - s(4, 5, 6)"), Object(LineObject{{1, 2, 3}, {-4, -5, -6}}));
   EXPECT_EQ(objectOf("r = (1, 2, 3) + t(4, 5, 6)"), Object(RayObject{{1, 2, 3}, {4, 5, 6}}));
@@ -57,6 +57,9 @@ TEST(TypedLine, AsOnPaper_IsTheObject) {
   EXPECT_EQ(labelled.line, LineStyle::Dotted);
   EXPECT_EQ(labelled.label, LabelText::Value);
   EXPECT_EQ(lineFor(labelled), "g = line((1, 2, 3), (4, 5, 6)), dotted, value");
+  const Entry made = typed({"Q = (1, 2, 3)", "E: z = 0", "d = distance(Q, E), pink, dashed"}).entries[2];
+  EXPECT_EQ(made.color, Hue::Pink);
+  EXPECT_EQ(lineFor(made), "d = signed-distance(E, Q), pink, dashed");
 }
 
 TEST(TypedLine, ThatIsTheEquationOfASphere_IsIt_WhereItsRadiusIsAFraction) {
@@ -288,6 +291,18 @@ TEST(TypedLine, OfEachKindAndConstruction_IsReadAsThatEntry) {
         expectSameAgain(test::sceneOf(construction, objects), i % 2 ? '.' : ',', lines);
       }
   EXPECT_GT(lines, 8000);
+}
+
+TEST(TypedLine, OfAConstruction_HasItsWord_WhereThatMeansItAlone_AndElseItsId) {
+  const Scene scene = typed({"E: z = 0", "F: x = 0", "Q = (1, 2, 3)", "r = Q + t(1, 1, 1), t >= 0",
+                             "i = intersect(E, F)", "k = plane-plane(F, E)", "d = distance(Q, E)",
+                             "h = intersect(r, E)", "s = ray-plane-substitution(E, r)"});
+  const auto line = [&](const char *name) { return lineFor(*scene.entries.find(name)); };
+  EXPECT_EQ(line("i"), "i = intersect(E, F)");
+  EXPECT_EQ(line("k"), "k = intersect(F, E)");
+  EXPECT_EQ(line("d"), "d = signed-distance(E, Q)") << "which says more than distance";
+  EXPECT_EQ(line("h"), "h = intersect(E, r)");
+  EXPECT_EQ(line("s"), "s = ray-plane-substitution(E, r)");
 }
 
 TEST(TypedLine, WithFormulas_IsReadAsThatEntry) {
