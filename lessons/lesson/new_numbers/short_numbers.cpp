@@ -44,16 +44,16 @@ Scene shownPartOf(const Scene &scene) {
 std::vector<std::string> namesOfObjects(const Scene &scene) {
   std::vector<std::string> names;
   for (const Entry &entry : scene.entries)
-    if (std::holds_alternative<Object>(entry.content))
+    if (std::holds_alternative<Object>(entry.content) && !entry.isLocked)
       names.push_back(entry.name);
   return names;
 }
 
-/// A construction has none of its own, a plain number keeps its one, as it may be a bound or a step, and a
-/// mesh stays where others stand around it.
+/// A construction has none of its own, what is locked stays, a plain number keeps its one, as it may be a
+/// bound or a step, and a mesh stays where others stand around it.
 bool keepsItsNumbers(const Entry &entry) {
   const auto *object = std::get_if<Object>(&entry.content);
-  return !object || kindOf(*object) == NumberObject::kind || object->shape();
+  return !object || entry.isLocked || kindOf(*object) == NumberObject::kind || object->shape();
 }
 
 bool differEverywhere(const Scene &a, const Scene &b) {

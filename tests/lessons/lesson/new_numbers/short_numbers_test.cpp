@@ -187,6 +187,14 @@ TEST(ShortNumbers, objectsThatNoConstructionLooksAt_getSomeToo) {
   }
 }
 
+TEST(ShortNumbers, whatIsLocked_staysAsItIs) {
+  Scene scene = distanceScene();
+  scene.entries.change(*scene.entries.placeOf("Q"), [](Entry &entry) { entry.isLocked = true; });
+  const Scene renewed = withShortNumbers(scene, 3);
+  EXPECT_EQ(*findObject(renewed, "Q"), *findObject(scene, "Q"));
+  EXPECT_NE(*findObject(renewed, "E"), *findObject(scene, "E"));
+}
+
 TEST(ShortNumbers, sceneWithoutConstruction_getsSome) {
   const Scene scene{{planeE(), pointQ()}};
   const Scene renewed = withShortNumbers(scene, 1);
