@@ -128,16 +128,17 @@ const LessonStep &SessionModel::step() const {
   return isExplore(*this) ? m_exploreStep : stepOf(*m_lesson, session().step);
 }
 
-void SessionModel::showWorkings(const std::vector<std::string> &constructions) {
+bool SessionModel::showWorkings(const std::vector<std::string> &constructions) {
   LessonStep step = stepShowing(constructions);
   const auto idsOf = [](const LessonStep &each) { return std::get<StepLines>(each.blocks.front()).ids; };
   if (idsOf(step) == idsOf(m_exploreStep))
-    return;
+    return false;
   m_exploreStep = std::move(step);
-  if (!isExplore(*this))
-    return;
-  m_scene.takeStep(m_exploreStep, m_questionOf());
-  emit outcomeChanged();
+  if (isExplore(*this)) {
+    m_scene.takeStep(m_exploreStep, m_questionOf());
+    emit outcomeChanged();
+  }
+  return true;
 }
 
 void SessionModel::setQuestionOf(std::function<Question()> questionOf) {

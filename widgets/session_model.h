@@ -68,8 +68,9 @@ public:
   /// words.
   void startWith(Session session, std::optional<LessonLibrary> library = {});
   void setStep(int step);
-  /// The constructions whose lines are shown in Explore; in other lessons their steps say it.
-  void showWorkings(const std::vector<std::string> &constructions);
+  /// The constructions whose lines are shown in Explore; in other lessons their steps say it. Whether they
+  /// are others than before.
+  bool showWorkings(const std::vector<std::string> &constructions);
   /// Who knows whether the current step's question is answered, if it has one: see shownIn. It is asked for
   /// every outcome; before, each question counts as answered.
   void setQuestionOf(std::function<Question()> questionOf);

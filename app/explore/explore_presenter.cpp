@@ -11,6 +11,7 @@
 #include "widgets/numbers/number_card.h"
 #include "widgets/view/scene_view.h"
 
+#include <QCursor>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
@@ -30,6 +31,7 @@ ExplorePresenter::ExplorePresenter(SessionModel &model, WindowPanels &panels, Ma
   connect(&model, &SessionModel::outcomeChanged, this, &ExplorePresenter::takeScene);
   connect(&m_selection, &SceneSelection::changed, this, &ExplorePresenter::showSelection);
   connect(&view.input(), &SceneInput::clicked, this, &ExplorePresenter::choose);
+  connect(&view.input(), &SceneInput::menuWanted, this, &ExplorePresenter::showMenu);
   connect(&view.handles(), &SceneHandles::selectionChanged, this, [this] {
     // A click of the mouse is told by what it clicked on.
     if (QGuiApplication::mouseButtons() == Qt::NoButton)
@@ -45,7 +47,8 @@ void ExplorePresenter::takeLesson() {
   const auto &entries = m_model.session().scene.entries;
   m_entries = entries.size();
   m_last = entries.empty() ? std::string() : entries[entries.size() - 1].name;
-  m_pinned.clear();
+  if (!isExplore(m_model))
+    m_pinned.clear();
   m_selection.set({});
   m_panels.explore().setVisible(isExplore(m_model));
   if (isExplore(m_model))
@@ -57,7 +60,6 @@ void ExplorePresenter::takeScene() {
   const Scene &scene = m_model.session().scene;
   std::vector<std::string> ids = m_selection.ids();
   std::erase_if(ids, [&](const std::string &id) { return !scene.entries.find(ownerOf(id)); });
-  std::erase_if(m_pinned, [&](const std::string &name) { return !scene.entries.find(name); });
   if (ids == m_selection.ids())
     showWorkings(); // of others, where the last construction is another one
   m_selection.set(std::move(ids));
@@ -87,6 +89,15 @@ void ExplorePresenter::choose(const QString &mark, bool adds) {
     m_selection.toggle(id);
   else if (!adds)
     m_selection.set(id.empty() ? std::vector<std::string>() : std::vector{id});
+}
+
+void ExplorePresenter::showMenu(const QString &mark) {
+  const std::string id = objectOfMark(m_model.evaluation(), mark.toStdString());
+  if (!isExplore(m_model) || id.empty())
+    return;
+  if (!m_selection.contains(id))
+    m_selection.set({id});
+  m_panels.explore().list().showMenu(QCursor::pos());
 }
 
 void ExplorePresenter::takeHandle() {
@@ -150,11 +161,8 @@ void ExplorePresenter::showWorkings() {
       shown.push_back(entry.name);
   if (shown.empty())
     shown = lastOfInterest();
-  if (shown == m_shown)
-    return;
-  m_model.showWorkings(shown);
-  m_shown = std::move(shown);
-  m_panels.page().showTop();
+  if (m_model.showWorkings(shown))
+    m_panels.page().showTop();
 }
 
 std::vector<std::string> ExplorePresenter::lastOfInterest() const {

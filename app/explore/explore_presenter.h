@@ -36,6 +36,8 @@ private:
   void takeEntries();
   /// Somebody has clicked on a mark of the picture; with `adds` what it is of comes to what is selected.
   void choose(const QString &mark, bool adds);
+  /// Of what a mark is of, as in the list.
+  void showMenu(const QString &mark);
   /// The object whose handle is selected, or was dragged.
   void takeHandle();
   void showSelection();
@@ -54,10 +56,9 @@ private:
   MarkHighlights &m_highlights;
   FieldPresenter &m_field;
   SceneSelection &m_selection;
-  std::set<std::string> m_pinned;   ///< constructions whose working stays
-  std::vector<std::string> m_shown; ///< the entries whose working is on the page
-  std::size_t m_entries = 0;        ///< of the scene, when it was shown last
-  std::string m_last;               ///< the name of the last of them
+  std::set<std::string> m_pinned; ///< constructions whose working stays; some may come back by undo
+  std::size_t m_entries = 0;      ///< of the scene, when it was shown last
+  std::string m_last;             ///< the name of the last of them
 };
 
 } // namespace halfspace

@@ -10,6 +10,7 @@
 #include "widgets/scene_selection.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTreeWidget>
 
@@ -53,6 +54,15 @@ public:
   void clickRow(const std::string &id, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::qWait(30); // what was typed before has its rows
     QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, list().visualRect(row(id, 1)).center());
+  }
+  /// An item of a menu within the menu of what is selected in the list.
+  void chooseInMenu(const QString &submenu, const QString &item) {
+    QMenu menu;
+    list().fillMenu(menu);
+    for (QAction *action : menu.findChild<QMenu *>(submenu)->actions())
+      if (action->text().remove('&') == item)
+        return action->trigger();
+    QFAIL(qPrintable(item));
   }
   /// The button that makes something, by the beginning of the line that this would be behind its name.
   QPushButton *fit(const QString &definition) {

@@ -4,6 +4,7 @@
 #include "tests/app/explore_fixture.h"
 
 #include <QClipboard>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QSlider>
@@ -164,7 +165,7 @@ private slots:
                              "x + y = 3", "distance(A, B)"})
       fixture.enter(line);
     QCOMPARE(fixture.scene().mid(3),
-             (QStringList{"T = triangle(A, B, C)", "E: x + y = 3", "d = point-point(A, B)"}));
+             (QStringList{"T = triangle(A, B, C)", "E: x + y = 3", "d = distance(A, B)"}));
     fixture.enter("angle(E, T)");
     QCOMPARE(fixture.scene().size(), 6);
     QCOMPARE(fixture.field().text(), QString("angle(E, T)"));
@@ -184,10 +185,74 @@ private slots:
     QCoreApplication::processEvents();
     fixture.clickRow("B");
     QCoreApplication::processEvents();
-    QCOMPARE(fixture.scene().mid(3), (QStringList{"d = point-point(A, B)"}));
+    QCOMPARE(fixture.scene().mid(3), (QStringList{"d = distance(A, B)"}));
     fixture.clickRow("A");
     fixture.clickRow("B");
     QCOMPARE(fixture.scene().size(), 4); // the wish is fulfilled
+  }
+
+  void keyOfUndo_isLeftToTheMenu_whereNothingWasTyped() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 3)");
+    const auto isTakenByField = [&] {
+      QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+      QCoreApplication::sendEvent(&fixture.field(), &key);
+      return key.isAccepted();
+    };
+    QVERIFY(!isTakenByField());
+    fixture.type("B = ");
+    QVERIFY(isTakenByField());
+  }
+
+  void lineOfAnEntry_thatGoesMeanwhile_isPutAway() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 3)");
+    fixture.clickRow("A");
+    QTest::keyClick(&fixture.list(), Qt::Key_Return);
+    QCOMPARE(fixture.field().text(), QString("A = (1, 2, 3)"));
+    fixture.model().history().undo();
+    QCOMPARE(fixture.field().text(), QString());
+  }
+
+  void rightButtonOnAMark_hasTheMenuOfItsEntry() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("A = (1, 2, 3)");
+    fixture.selection().set({});
+    QTest::qWait(50);
+    QTest::mouseClick(&fixture.WindowFixture::scene(), Qt::RightButton, {}, fixture.placeOf("A"));
+    QVERIFY(fixture.selection().contains("A"));
+    auto *menu = fixture.window.findChild<QMenu *>("entryMenu");
+    QVERIFY(menu && menu->isVisible() && menu->findChild<QMenu *>("labelMenu"));
+    menu->close();
+  }
+
+  void renamingWhatIsMade_isThatOfItsEntry() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"E: z = 0", "F: x = 0", "i = intersect(E, F)"})
+      fixture.enter(line);
+    fixture.clickRow("i.g");
+    QTest::keyClick(&fixture.list(), Qt::Key_F2);
+    auto *name = fixture.list().findChild<QLineEdit *>();
+    QVERIFY(name);
+    QTest::keyClicks(name, "cut");
+    QTest::keyClick(name, Qt::Key_Return);
+    QCoreApplication::processEvents(); // only then is it told
+    QCOMPARE(fixture.scene().at(2), QString("cut = intersect(E, F)"));
+  }
+
+  void whatHasRoots_isOfferedNothing_andSaysWhy() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.enter("T = tetrahedron((0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2))");
+    fixture.enter("c = circumsphere(T)");
+    fixture.clickRow("c.S");
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(fixture.fits().findChildren<QPushButton *>("fit").isEmpty());
+    QVERIFY(fixture.fits().findChild<QLabel *>("heading")->text().contains("no fractions"));
   }
 
   void selectedObject_thatIsNotThere_tellsWhy_belowThePicture() {
@@ -216,12 +281,7 @@ private slots:
     fixture.enter("g = (1, 2, 3) + t(1, 0, 1)");
     fixture.clickRow("g");
     const auto choose = [&](const QString &submenu, const QString &item) {
-      QMenu menu;
-      fixture.list().fillMenu(menu);
-      for (QAction *action : menu.findChild<QMenu *>(submenu)->actions())
-        if (action->text().remove('&') == item)
-          return action->trigger();
-      QFAIL(qPrintable(item));
+      fixture.chooseInMenu(submenu, item);
     };
     choose("lineMenu", "Dotted");
     QCOMPARE(fixture.scene(), (QStringList{"g = line((1, 2, 3), (1, 0, 1)), dotted"}));
@@ -234,6 +294,26 @@ private slots:
     QCOMPARE(fixture.scene(), (QStringList{"g = line((1, 2, 3), (1, 0, 1)), dotted"}));
     fixture.model().history().undo();
     QVERIFY(isLabelHidden(fixture.model().session().scene.labels, "g"));
+  }
+
+  void menuOfWhatIsMade_isThatOfItsConstruction_whoseResultsAreColoured() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"E: z = 0", "F: x = 0", "i = intersect(E, F)", "k = angle(E, F)"})
+      fixture.enter(line);
+    fixture.clickRow("i.g");
+    fixture.chooseInMenu("colorMenu", "Pink");
+    QCOMPARE(fixture.scene().at(2), QString("i = intersect(E, F), pink"));
+    fixture.chooseInMenu("lineMenu", "Dotted");
+    const MarkBase &line = baseOf(*findMark(fixture.model().figure(), "i.g"));
+    QVERIFY(hueOf(line) == Hue::Pink && line.look.line == LineStyle::Dotted);
+    QVERIFY(hueOf(baseOf(*findMark(fixture.model().figure(), "E"))) != Hue::Pink);
+    fixture.clickRow("k");
+    fixture.chooseInMenu("labelMenu", "Name and Value");
+    QVERIFY(baseOf(*findMark(fixture.model().figure(), "k.phi")).numbers.find("90") != std::string::npos);
+    fixture.clickRow("i.g");
+    QTest::keyClick(&fixture.list(), Qt::Key_Delete);
+    QCOMPARE(fixture.scene().size(), 3);
   }
 
   void rowThatIsDragged_isMoved_asFarAsItsEntryMay() {
@@ -287,6 +367,22 @@ private slots:
     QTest::mouseClick(distance, Qt::LeftButton);
     QCoreApplication::processEvents();
     QCOMPARE(fixture.scene().last().section(" = ", 1), QString("signed-distance(E, Q)"));
+  }
+
+  void offers_inASmallWindow_areShortened_andNotCutOff() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.window.resize(1024, 600);
+    for (const char *line : {"E: z = 0", "F: x = 0", "g = (0, 0, 0) + t(1, 1, 1)"})
+      fixture.enter(line);
+    fixture.clickRow("E");
+    QTest::qWait(50);
+    const auto buttons = fixture.fits().findChildren<QPushButton *>("fit");
+    QVERIFY(!buttons.isEmpty());
+    QWidget &room = *fixture.fits().parentWidget()->parentWidget();
+    for (QPushButton *button : buttons)
+      QVERIFY2(button->mapTo(&room, button->rect().topRight()).x() < room.width(),
+               qPrintable(button->text()));
   }
 
   void numberWithASlider_isMovedByKeysAndPlays_eachTimeInOneStep() {

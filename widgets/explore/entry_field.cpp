@@ -34,6 +34,15 @@ void EntryField::setFault(const std::optional<Part> &part) {
 }
 
 bool EntryField::event(QEvent *event) {
+  // What is undone is the scene where nothing was typed: the key is left to the menu.
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto &key = static_cast<const QKeyEvent &>(*event);
+    if ((key.matches(QKeySequence::Undo) && !isUndoAvailable()) ||
+        (key.matches(QKeySequence::Redo) && !isRedoAvailable())) {
+      event->ignore();
+      return true;
+    }
+  }
   // Before Tab leads to the next widget, and before Escape and Enter reach shortcuts.
   if (event->type() == QEvent::KeyPress) {
     const auto &key = static_cast<const QKeyEvent &>(*event);

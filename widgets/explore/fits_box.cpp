@@ -3,11 +3,14 @@
 #include "lessons/construction/construction.h"
 #include "lessons/language.h"
 #include "lessons/object/kind.h"
+#include "lessons/scene/offered_objects.h"
 #include "lessons/typed/write_line.h"
 #include "widgets/explore/entry_edits.h"
+#include "widgets/explore/fit_button.h"
 #include "widgets/flow_layout.h"
 #include "widgets/scene_selection.h"
 
+#include <QCursor>
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -85,12 +88,17 @@ std::optional<Entry> FitsBox::completed(const Fit &wanting) const {
 
 void FitsBox::showFits() {
   const Scene &scene = m_model.session().scene;
-  if (m_selection.ids() == m_shownFor && m_model.evaluation().plan == m_plan && m_buttons)
+  const QString missing = missingOf(m_selection.ids());
+  if (m_selection.ids() == m_shownFor && m_model.evaluation().plan == m_plan && missing == m_missing &&
+      m_buttons)
     return;          // a drag changes numbers, not what fits
   m_wanting.reset(); // it was about another scene, or another selection
   m_shownFor = m_selection.ids();
   m_plan = m_model.evaluation().plan;
-  m_fits = isExplore(m_model) && !m_shownFor.empty() ? fitsFor(scene, m_shownFor) : std::vector<Fit>();
+  m_missing = missing;
+  const bool isAsked = isExplore(m_model) && !m_shownFor.empty() && missing.isEmpty();
+  m_fits = isAsked ? fitsFor(scene, m_shownFor) : std::vector<Fit>();
+  m_pointer = QCursor::pos();
   delete m_buttons;
   m_buttons = new QWidget;
   auto *flow = new FlowLayout(m_buttons);
@@ -105,9 +113,18 @@ void FitsBox::showFits() {
   m_heading->setText(m_shownFor.empty()
                          ? tr("Select objects here or in the picture (Ctrl for several): what can be made of "
                               "them is offered here.")
-                     : m_fits.empty() ? tr("There is nothing to be made of %1.").arg(names.join(", "))
-                                      : tr("Of %1 can be made:").arg(names.join(", ")));
+                     : !missing.isEmpty() ? missing
+                     : m_fits.empty()     ? tr("There is nothing to be made of %1.").arg(names.join(", "))
+                                          : tr("Of %1 can be made:").arg(names.join(", ")));
   preview({});
+}
+
+QString FitsBox::missingOf(const std::vector<std::string> &ids) const {
+  for (const std::string &id : ids)
+    if (const OfferedObject *object = findOffered(m_model.evaluation(), id);
+        object && !object->whyNot.empty())
+      return QString::fromStdString(object->whyNot);
+  return {};
 }
 
 void FitsBox::preview(const Figure &ghost) {
@@ -120,12 +137,12 @@ void FitsBox::preview(const Figure &ghost) {
 
 void FitsBox::addButton(const Fit &fit) {
   const QString title = titleOf(fit, m_fits);
-  auto *button = new QPushButton(fit.wanted ? tr("%1 … and %2").arg(title, nounFor(*fit.wanted)) : title);
+  auto *button = new FitButton(fit.wanted ? tr("%1 … and %2").arg(title, nounFor(*fit.wanted)) : title);
   button->setObjectName("fit");
   button->setProperty(placeProperty, static_cast<int>(m_buttons->layout()->count()));
   button->setProperty("lacking", fit.wanted.has_value());
-  if (!fit.wanted)
-    button->setToolTip(QString::fromStdString(lineFor(fit.entry, language().decimalMark)));
+  button->setToolTip(fit.wanted ? button->text()
+                                : QString::fromStdString(lineFor(fit.entry, language().decimalMark)));
   button->installEventFilter(this);
   connect(
       button, &QPushButton::clicked, this, [this, fit] { take(fit); }, Qt::QueuedConnection);
@@ -156,7 +173,10 @@ Figure FitsBox::ghostOf(const Entry &entry) const {
 }
 
 bool FitsBox::eventFilter(QObject *watched, QEvent *event) {
-  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
+  // A button that comes to a pointer at rest was not pointed at.
+  const bool isPointedAt = (event->type() == QEvent::Enter || event->type() == QEvent::HoverMove) &&
+                           QCursor::pos() != m_pointer && !m_isPreviewing;
+  if (isPointedAt || event->type() == QEvent::FocusIn) {
     const Fit &fit = m_fits.at(static_cast<std::size_t>(watched->property(placeProperty).toInt()));
     preview(fit.wanted ? Figure() : ghostOf(fit.entry));
   } else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {

@@ -40,6 +40,8 @@ private:
   /// What the object makes of the fit that wanted one, which was selected last; nothing where it does not
   /// fit.
   [[nodiscard]] std::optional<Entry> completed(const Fit &wanting) const;
+  /// Why one of these objects is not there now; empty where all are.
+  [[nodiscard]] QString missingOf(const std::vector<std::string> &ids) const;
   /// Of nothing: where something is shown, it goes.
   void preview(const Figure &ghost);
   [[nodiscard]] Figure ghostOf(const Entry &entry) const;
@@ -52,7 +54,9 @@ private:
   std::vector<Fit> m_fits;                 ///< in the order of the buttons
   std::vector<std::string> m_shownFor;     ///< the selection
   std::shared_ptr<const ScenePlan> m_plan; ///< of the scene that they were found in
+  QString m_missing;                       ///< why there are none for what is not there
   std::optional<Fit> m_wanting;            ///< that somebody has chosen, and that lacks an object
+  QPoint m_pointer;                        ///< where it was when they were made
   bool m_isPreviewing = false;
 };
 

@@ -119,7 +119,8 @@ void NumberCard::setHint(const QString &words) {
   if (words == m_hint)
     return;
   m_hint = words;
-  m_hintRoom = std::max(m_hintRoom, m_hintLabel->fontMetrics().horizontalAdvance(m_hint));
+  const int needed = m_hintLabel->fontMetrics().horizontalAdvance(m_hint);
+  m_hintRoom = m_selected ? std::max(m_hintRoom, needed) : needed;
   showHint();
 }
 

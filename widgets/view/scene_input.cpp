@@ -135,14 +135,17 @@ void SceneInput::movePicture(const QPointF &way) {
 void SceneInput::release(const QMouseEvent &event) {
   if (event.button() != m_press.button)
     return;
-  const bool isClick = m_isGrabbing && event.button() == Qt::LeftButton && !m_press.hasMoved;
+  const bool isClick = m_isGrabbing && !m_press.hasMoved &&
+                       (event.button() == Qt::LeftButton || event.button() == Qt::RightButton);
   const bool isClickBeside = isClick && m_gesture == Gesture::Turn;
   const QString mark =
       isClick ? QString::fromStdString(m_handles.markAt(m_screen.pixelAt(m_press.place))) : QString();
   finish();
   if (isClickBeside)
     dismiss();
-  if (isClick)
+  if (isClick && event.button() == Qt::RightButton)
+    emit menuWanted(mark);
+  else if (isClick)
     emit clicked(mark, event.modifiers() & Qt::ControlModifier);
 }
 

@@ -38,6 +38,7 @@ signals:
   /// The left button was pressed and released in one place: on this mark, or on none (empty). `adds` with
   /// Ctrl.
   void clicked(const QString &markId, bool adds);
+  void menuWanted(const QString &markId); ///< the same with the right button
 
 protected:
   bool eventFilter(QObject *watched, QEvent *event) override;

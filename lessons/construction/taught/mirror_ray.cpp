@@ -126,7 +126,7 @@ Construction mirror_ray() {
   return taught<Out, PlaneObject, RayObject>(
       {.id = "mirror-ray",
        .word = "mirror",
-       .title = [] { return words("ray that the mirror sends on"); },
+       .title = [] { return words("reflected ray"); },
        .roles = {"E", "L"},
        .makes = {{"R", RayObject::kind, &Out::hits, &Out::sent}},
        .letters = {"t"},
