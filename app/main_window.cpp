@@ -2,6 +2,7 @@
 
 #include "app/explore/explore_presenter.h"
 #include "app/explore/field_presenter.h"
+#include "app/explore/go_on_in_explore.h"
 #include "app/explore/scene_lesson.h"
 #include "app/export/figure_export.h"
 #include "app/export/scene_paste.h"
@@ -78,8 +79,9 @@ MainWindow::MainWindow(LessonLibrary library, Session session, const Result<Sett
   auto *ownLessons = new OwnLessonFolders(m_model, m_progress, m_panels.messages(), this);
   auto *contents = new ContentsPresenter(m_model, m_panels.contents(), m_progress, this);
   auto *figures = new FigureExport(m_model, m_panels.scene(), m_panels.messages(), this);
-  createMenus(*ownLessons, *contents, *figures);
-  createExplore();
+  auto *goOn = new GoOnInExplore(m_model, m_files, this);
+  createMenus(*ownLessons, *contents, *figures, *goOn);
+  createExplore(*goOn);
   createHeader(*contents);
   connectParts();
   m_settings = std::make_unique<WindowSettings>(m_model, m_look, m_layout, *ownLessons,
@@ -96,8 +98,8 @@ MainWindow::~MainWindow() {
 
 SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
 
-void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents,
-                             FigureExport &figures) {
+void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents, FigureExport &figures,
+                             GoOnInExplore &goOn) {
   auto *handouts = new HandoutExport(m_model, m_panels.typesetter(), m_panels.messages(), this);
   auto *animations = new AnimationExport(m_model, sceneView(), m_look, m_panels.messages(), this);
   auto *working = new WorkingCopy(m_panels.practice().working(), m_panels.messages(), this);
@@ -107,7 +109,8 @@ void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &co
   auto *glossary =
       new GlossaryPresenter(m_model, m_step.turner(), sceneView(), m_look, m_panels.typesetter(), this);
   auto *formulas = new FormulaPresenter(m_model, m_look, m_panels.typesetter(), *this);
-  auto *lesson = new SceneLesson(m_model, m_files, m_panels.messages(), this);
+  auto *lesson = new SceneLesson(m_model, m_files, ownLessons, m_panels.messages(), this);
+  connect(&goOn, &GoOnInExplore::begun, lesson, &SceneLesson::goOnWith);
   QMenuBar *bar = menuBar();
   auto *file = new FileMenu(m_files, m_meshes, m_leftovers, figures, *handouts, *animations, *lesson, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
@@ -129,11 +132,11 @@ void MainWindow::createSceneTools(CameraActions &camera) {
   frame.addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
 }
 
-void MainWindow::createExplore() {
+void MainWindow::createExplore(GoOnInExplore &goOn) {
   SceneColumn &scene = m_panels.scene();
   ExplorePanel &explore = m_panels.explore();
-  auto *field = new FieldPresenter(m_model, m_files, scene.bar(), explore.edits(), explore.selection(),
-                                   *menuBar(), this);
+  auto *field =
+      new FieldPresenter(m_model, goOn, scene.bar(), explore.edits(), explore.selection(), *menuBar(), this);
   m_explore = new ExplorePresenter(m_model, m_panels, m_step.highlights(), *field, this);
   connect(field, &FieldPresenter::openChanged, &scene.bar(), &EntryBar::setVisible);
   connect(field, &FieldPresenter::left, &scene.view(), [&scene] { scene.view().setFocus(); });
@@ -142,7 +145,7 @@ void MainWindow::createExplore() {
           [this](const QString &sentence) { m_panels.messages().say(sentence); });
   scene.bar().setVisible(isExplore(m_model));
   const auto actions = menuBar()->actions();
-  auto *menu = new SceneMenu(m_model, m_files, *field, scene.view().objectHand(), m_meshes, menuBar());
+  auto *menu = new SceneMenu(m_model, goOn, *field, scene.view().objectHand(), m_meshes, menuBar());
   menuBar()->insertMenu(actions.at(actions.size() - 2), menu);
   auto *add = new QToolButton;
   add->setObjectName("addTool");

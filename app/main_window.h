@@ -23,6 +23,7 @@ class CameraActions;
 class ContentsPresenter;
 class ExplorePresenter;
 class FigureExport;
+class GoOnInExplore;
 class OwnLessonFolders;
 class WindowSettings;
 struct Settings;
@@ -67,11 +68,12 @@ protected:
   void dropEvent(QDropEvent *event) override;
 
 private:
-  void createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents, FigureExport &figures);
+  void createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents, FigureExport &figures,
+                   GoOnInExplore &goOn);
   void createHeader(ContentsPresenter &contents);
   void createSceneTools(CameraActions &camera);
   /// The field above the scene with what is typed there, and the menu of the scene behind the others.
-  void createExplore();
+  void createExplore(GoOnInExplore &goOn);
   void connectParts();
   void showLook();
   void updateTitle();

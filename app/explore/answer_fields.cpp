@@ -22,7 +22,7 @@ AnswerFields::AnswerFields(const std::vector<std::string> &words, const std::str
     m_fields.emplace_back(word, field);
   };
   for (const std::string &word : words) {
-    const QString read = QString::fromStdString(word);
+    const QString read = QString::fromStdString(word).replace('-', ' ');
     add(word, word == now ? tr("%1 (as it is now):").arg(read) : tr("%1:").arg(read));
   }
   add(otherwise, tr("anything else:"));

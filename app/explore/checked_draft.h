@@ -3,7 +3,7 @@
 
 #include "lessons/lesson/lesson_draft.h"
 #include "lessons/scene/camera_view.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/evaluation.h"
 
 namespace halfspace {
 
@@ -13,8 +13,9 @@ struct CheckedDraft {
   std::vector<DraftProblem> problems;
 };
 
+/// `start` is the scene that the lesson begins with. The first task is not to be done there already.
 /// `file` is where the lesson is to be: its pictures are looked for in its folder.
-[[nodiscard]] CheckedDraft checked(const LessonDraft &draft, const Scene &scene, const CameraView &camera,
-                                   const std::string &file);
+[[nodiscard]] CheckedDraft checked(const LessonDraft &draft, const Evaluation &start,
+                                   const CameraView &camera, const std::string &file);
 
 } // namespace halfspace

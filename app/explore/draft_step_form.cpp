@@ -3,11 +3,11 @@
 #include "app/explore/check_list.h"
 #include "app/explore/draft_question_form.h"
 #include "app/explore/draft_task_form.h"
+#include "app/explore/value_list.h"
 #include "lessons/language.h"
-#include "lessons/lesson/entry_names.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/typed/write_line.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -32,41 +32,29 @@ template <class Predicate> std::vector<CheckItem> entriesOf(const Scene &scene, 
 
 bool isConstruction(const Entry &entry) { return std::holds_alternative<ConstructionUse>(entry.content); }
 
-/// All that can stand in braces: the coordinates of the scene, and what its constructions come to.
-QStringList valuesOf(const Scene &scene) {
-  QStringList names;
-  for (const CoordinateId &id : coordinatesOf(scene))
-    names << QString::fromStdString(shortName(scene, id));
-  for (const OfferedValue &value : comparableValues(scene))
-    if (const QString name = QString::fromStdString(value.name); !names.contains(name))
-      names << name;
-  return names;
-}
-
 } // namespace
 
 DraftStepForm::DraftStepForm(const Evaluation &start)
     : m_title(new QLineEdit), m_words(new QPlainTextEdit),
       m_workings(new CheckList(tr("Shows the &working of"), entriesOf(start.scene, isConstruction))),
       m_hidden(new CheckList(tr("Hi&des"), entriesOf(start.scene, isDrawn))),
-      m_question(new DraftQuestionForm(start)), m_task(new DraftTaskForm(start)) {
+      m_question(new DraftQuestionForm(start)), m_task(new DraftTaskForm(start)), m_tabs(new QTabWidget) {
   m_title->setObjectName("stepTitle");
   m_words->setObjectName("words");
   m_words->setTabChangesFocus(true);
   m_workings->setObjectName("workings");
   m_hidden->setObjectName("hidden");
-  auto *tabs = new QTabWidget;
-  tabs->setObjectName("stepTabs");
-  tabs->addTab(wordsPage(start), tr("Words"));
-  tabs->addTab(shownPage(), tr("Shown"));
-  tabs->addTab(m_question, tr("Question"));
-  tabs->addTab(m_task, tr("Task"));
+  m_tabs->setObjectName("stepTabs");
+  m_tabs->addTab(wordsPage(start), tr("Words"));
+  m_tabs->addTab(shownPage(), tr("Shown"));
+  m_tabs->addTab(m_question, tr("Question"));
+  m_tabs->addTab(m_task, tr("Task"));
   auto *title = new QFormLayout;
   title->addRow(tr("Ste&p:"), m_title);
   auto *column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(title);
-  column->addWidget(tabs, 1);
+  column->addWidget(m_tabs, 1);
   connect(m_title, &QLineEdit::textChanged, this, &DraftStepForm::changed);
   connect(m_words, &QPlainTextEdit::textChanged, this, &DraftStepForm::changed);
   for (const CheckList *list : {m_workings, m_hidden})
@@ -75,11 +63,13 @@ DraftStepForm::DraftStepForm(const Evaluation &start)
   connect(m_task, &DraftTaskForm::changed, this, &DraftStepForm::changed);
 }
 
+void DraftStepForm::showWords() { m_tabs->setCurrentIndex(0); }
+
 QWidget *DraftStepForm::wordsPage(const Evaluation &start) {
-  const QStringList values = valuesOf(start.scene);
+  const std::vector<std::string> values = liveNames(start);
   auto *hint = new QLabel(tr("Markdown, with LaTeX between dollars, and live values in braces: {%1} is what "
                              "%1 is at the moment.")
-                              .arg(values.value(0, "Q")));
+                              .arg(values.empty() ? "Q" : QString::fromStdString(values.front())));
   hint->setObjectName("wordsHint");
   hint->setWordWrap(true);
   m_words->setAccessibleName(tr("Words of the step"));
@@ -88,16 +78,14 @@ QWidget *DraftStepForm::wordsPage(const Evaluation &start) {
   auto *column = new QVBoxLayout(page);
   column->addWidget(m_words, 1);
   column->addWidget(hint);
-  auto *insert = new QComboBox;
+  auto *insert = new ValueList;
   insert->setObjectName("wordsValues");
   insert->setAccessibleName(tr("A value for the words"));
-  insert->addItem(tr("Values"));
-  insert->addItems(values);
+  for (const std::string &name : values)
+    insert->add(QString::fromStdString(liveText(name, start)), name);
   column->addWidget(insert, 0, Qt::AlignLeft);
-  connect(insert, qOverload<int>(&QComboBox::activated), this, [this, insert](int value) {
-    if (value > 0)
-      m_words->insertPlainText("{" + insert->itemText(value) + "}");
-    insert->setCurrentIndex(0);
+  connect(insert, &ValueList::taken, this, [this](const QString &name) {
+    m_words->insertPlainText("{" + name + "}");
     m_words->setFocus();
   });
   return page;

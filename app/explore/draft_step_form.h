@@ -8,6 +8,7 @@
 
 class QLineEdit;
 class QPlainTextEdit;
+class QTabWidget;
 
 namespace halfspace {
 
@@ -24,6 +25,7 @@ public:
 
   void fill(const DraftStep &step);
   [[nodiscard]] DraftStep step() const;
+  void showWords();
 
 signals:
   void changed();
@@ -38,6 +40,7 @@ private:
   CheckList *m_hidden;
   DraftQuestionForm *m_question;
   DraftTaskForm *m_task;
+  QTabWidget *m_tabs;
 };
 
 } // namespace halfspace

@@ -1,11 +1,12 @@
 #include "app/explore/draft_task_form.h"
 
 #include "app/explore/short_text.h"
+#include "app/explore/value_list.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/entry_names.h"
+#include "lessons/lesson/live_values.h"
 #include "widgets/repolish.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,13 +19,14 @@ namespace {
 
 constexpr int linesOfInstruction = 3;
 
-/// A value as the list of them tells it: with the words that it can be.
-QString toldAs(const OfferedValue &value) {
-  QStringList words;
+/// A value as the list of them tells it: with what it is now, and the other words that it can be.
+QString toldAs(const OfferedValue &value, const Evaluation &now) {
+  const QString text = QString::fromStdString(liveText(value.name, now));
+  QStringList others;
   for (const std::string &word : value.value.words)
-    words << QString::fromStdString(word);
-  const QString name = QString::fromStdString(value.name);
-  return words.isEmpty() ? name : DraftTaskForm::tr("%1: %2").arg(name, words.join(", "));
+    if (!holds({value.name, Condition::Relation::Equal, word}, now))
+      others << QString::fromStdString(word);
+  return others.isEmpty() ? text : DraftTaskForm::tr("%1, or %2").arg(text, others.join(", "));
 }
 
 } // namespace
@@ -32,17 +34,14 @@ QString toldAs(const OfferedValue &value) {
 DraftTaskForm::DraftTaskForm(const Evaluation &start)
     : QGroupBox(tr("&Give something to do")), m_start(start),
       m_instruction(shortText("instruction", linesOfInstruction)), m_condition(new QLineEdit),
-      m_values(new QComboBox), m_now(new QLabel) {
+      m_values(new ValueList), m_now(new QLabel) {
   setObjectName("task");
   setCheckable(true);
   setChecked(false);
   m_condition->setObjectName("condition");
   m_values->setObjectName("values");
-  m_values->addItem(tr("Values"));
   for (const OfferedValue &each : comparableValues(start.scene))
-    m_values->addItem(toldAs(each), QString::fromStdString(each.name));
-  m_values->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_values->setMinimumContentsLength(tr("Values").size());
+    m_values->add(toldAs(each, start), each.name);
   m_values->setAccessibleName(tr("A value for the condition"));
   m_now->setObjectName("conditionNow");
   m_now->setWordWrap(true);
@@ -60,18 +59,14 @@ DraftTaskForm::DraftTaskForm(const Evaluation &start)
   connect(m_condition, &QLineEdit::textChanged, this, &DraftTaskForm::changed);
   connect(this, &QGroupBox::toggled, this, &DraftTaskForm::changed);
   connect(this, &DraftTaskForm::changed, this, &DraftTaskForm::tellNow);
-  connect(m_values, qOverload<int>(&QComboBox::activated), this, &DraftTaskForm::insert);
+  connect(m_values, &ValueList::taken, this, &DraftTaskForm::insert);
   tellNow();
 }
 
-void DraftTaskForm::insert(int value) {
-  const QString name = m_values->itemData(value).toString();
-  m_values->setCurrentIndex(0);
-  if (name.isEmpty())
-    return;
+void DraftTaskForm::insert(const QString &name) {
   const bool isSecond = parseConditions(m_condition->text().trimmed().toStdString()).operator bool();
   m_condition->end(false);
-  m_condition->insert((isSecond ? " and " : "") + name + " = ");
+  m_condition->insert((isSecond ? " and " : "") + name + " ");
   m_condition->setFocus();
 }
 

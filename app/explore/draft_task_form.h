@@ -6,12 +6,13 @@
 
 #include <QGroupBox>
 
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 
 namespace halfspace {
+
+class ValueList;
 
 /// What the learner is to do, and the condition by which the program sees that it is done. Unticked: nothing.
 class DraftTaskForm : public QGroupBox {
@@ -28,14 +29,14 @@ signals:
 
 private:
   /// Goes on with the condition by a value that is chosen.
-  void insert(int value);
+  void insert(const QString &name);
   /// Whether the condition holds at the start.
   void tellNow();
 
   const Evaluation &m_start;
   QPlainTextEdit *m_instruction;
   QLineEdit *m_condition;
-  QComboBox *m_values;
+  ValueList *m_values;
   QLabel *m_now;
 };
 

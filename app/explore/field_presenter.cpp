@@ -44,9 +44,9 @@ bool isLine(const QString &text) {
 
 } // namespace
 
-FieldPresenter::FieldPresenter(SessionModel &model, SessionFiles &files, EntryBar &bar, EntryEdits &edits,
+FieldPresenter::FieldPresenter(SessionModel &model, GoOnInExplore &goOn, EntryBar &bar, EntryEdits &edits,
                                SceneSelection &selection, const QMenuBar &menus, QObject *parent)
-    : QObject(parent), m_model(model), m_files(files), m_bar(bar), m_edits(edits), m_selection(selection),
+    : QObject(parent), m_model(model), m_goOn(goOn), m_bar(bar), m_edits(edits), m_selection(selection),
       m_menus(menus) {
   connect(&bar, &EntryBar::edited, this, &FieldPresenter::suggest);
   connect(&bar, &EntryBar::entered, this, &FieldPresenter::enter);
@@ -64,7 +64,7 @@ FieldPresenter::FieldPresenter(SessionModel &model, SessionFiles &files, EntryBa
   });
   connect(&model, &SessionModel::outcomeChanged, this, [this] {
     if (!m_edited.empty() && !m_model.session().scene.entries.find(m_edited))
-      m_edited.clear();
+      show(); // the line is of nothing any more
   });
   connect(&model, &SessionModel::lessonChanged, this, [this] {
     m_isOpen = false;
@@ -211,12 +211,15 @@ void FieldPresenter::accept(const Entry &entry) {
     if (!grown)
       return m_bar.complain(QString::fromStdString(grown.problem().sentence), {});
     remember();
-    goOnInExplore(m_model, m_files, *grown);
+    m_goOn.with(*grown);
     return m_bar.say(tr("The lesson is as it was: this is Explore, where its scene can grow."));
   }
-  const bool isDone = m_edited.empty() ? m_edits.add(entry) : m_edits.replace(m_edited, entry);
-  if (!isDone)
+  const std::string edited = std::exchange(m_edited, {}); // it may have another name then
+  const bool isDone = edited.empty() ? m_edits.add(entry) : m_edits.replace(edited, entry);
+  if (!isDone) {
+    m_edited = edited;
     return; // why is told already
+  }
   remember();
   show();
   m_selection.set({entry.name});
@@ -230,7 +233,7 @@ void FieldPresenter::enterAll(const QString &lines) {
                          .arg(grown.problem().line)
                          .arg(QString::fromStdString(grown.problem().sentence)));
   if (!isExplore(m_model))
-    return goOnInExplore(m_model, m_files, *grown);
+    return m_goOn.with(*grown);
   if (grown->entries.size() == scene.entries.size())
     return m_bar.say(tr("There is no line in what was pasted."));
   std::vector<Entry> added;

@@ -11,8 +11,8 @@ class QMenuBar;
 namespace halfspace {
 
 class EntryEdits;
+class GoOnInExplore;
 class SceneSelection;
-class SessionFiles;
 struct LineWithName;
 
 /// Reads what is entered as an entry of the scene, which it adds or changes; says what is wrong with it,
@@ -22,7 +22,7 @@ class FieldPresenter : public QObject {
   Q_OBJECT
 public:
   /// All must outlive it.
-  FieldPresenter(SessionModel &model, SessionFiles &files, EntryBar &bar, EntryEdits &edits,
+  FieldPresenter(SessionModel &model, GoOnInExplore &goOn, EntryBar &bar, EntryEdits &edits,
                  SceneSelection &selection, const QMenuBar &menus, QObject *parent = nullptr);
 
   /// Lets the user type.
@@ -68,7 +68,7 @@ private:
   void putLine(const QString &line);
 
   SessionModel &m_model;
-  SessionFiles &m_files;
+  GoOnInExplore &m_goOn;
   EntryBar &m_bar;
   EntryEdits &m_edits;
   SceneSelection &m_selection;

@@ -2,27 +2,21 @@
 
 #include "app/work/session_files.h"
 
-#include <QCoreApplication>
-
 namespace halfspace {
-namespace {
 
-struct GoOnInExplore {
-  Q_DECLARE_TR_FUNCTIONS(halfspace::GoOnInExplore)
-};
+GoOnInExplore::GoOnInExplore(SessionModel &model, SessionFiles &files, QObject *parent)
+    : QObject(parent), m_model(model), m_files(files) {}
 
-} // namespace
-
-void goOnInExplore(SessionModel &model, SessionFiles &files, const Scene &scene) {
-  const Lesson &lesson = model.lesson();
-  const QString title = QString::fromStdString(lesson.title);
-  const auto view = model.session().view;
+void GoOnInExplore::with(const Scene &scene) {
+  emit begun(m_model.lesson());
+  const QString title = QString::fromStdString(m_model.lesson().title);
+  const auto view = m_model.session().view;
   const Scene taken = scene; // the session that it may be of goes
-  model.openLesson(exploreId);
-  model.history().replaceScene(taken, GoOnInExplore::tr("Go on with “%1”").arg(title));
+  m_model.openLesson(exploreId);
+  m_model.history().replaceScene(taken, tr("Go on with “%1”").arg(title));
   if (view)
-    model.history().setView(view);
-  files.forgetFile();
+    m_model.history().setView(view);
+  m_files.forgetFile();
 }
 
 } // namespace halfspace

@@ -65,7 +65,7 @@ LessonDialog::LessonDialog(LessonDraft draft, const Evaluation &start, const QSt
   column->addWidget(buttons());
   connect(m_title, &QLineEdit::textChanged, this, [this](const QString &text) {
     m_draft.title = text.toStdString();
-    this->check();
+    takeChange();
   });
   connect(m_steps, &DraftStepList::chosen, this, &LessonDialog::choose);
   connect(m_steps, &DraftStepList::addWanted, this, &LessonDialog::addStep);
@@ -80,8 +80,10 @@ LessonDialog::LessonDialog(LessonDraft draft, const Evaluation &start, const QSt
 QWidget *LessonDialog::buttons() {
   auto *box = new QDialogButtonBox(QDialogButtonBox::Close);
   box->addButton(m_save, QDialogButtonBox::ActionRole);
-  for (QAbstractButton *each : box->buttons())
+  for (QAbstractButton *each : box->buttons()) {
     static_cast<QPushButton *>(each)->setAutoDefault(false); // Enter belongs to the fields
+    each->setIcon({});                                       // a theme's own is not seen in every theme
+  }
   connect(m_save, &QPushButton::clicked, this, &LessonDialog::saveWanted);
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
   return box;
@@ -92,18 +94,30 @@ void LessonDialog::choose(int step) {
   m_form->fill(m_draft.steps[static_cast<std::size_t>(step)]);
 }
 
+void LessonDialog::showStep(int step) {
+  m_step = std::min(step, static_cast<int>(m_draft.steps.size()) - 1);
+  showSteps();
+}
+
+void LessonDialog::takeChange() {
+  check();
+  emit written();
+}
+
 void LessonDialog::addStep() {
   const DraftStep &before = m_draft.steps[static_cast<std::size_t>(m_step)];
   DraftStep step{tr("Step %1").arg(m_draft.steps.size() + 1).toStdString(), "", before.workings,
                  before.hidden};
   m_draft.steps.insert(m_draft.steps.begin() + ++m_step, std::move(step));
+  m_form->showWords();
   showSteps();
+  takeChange();
 }
 
 void LessonDialog::removeStep() {
   m_draft.steps.erase(m_draft.steps.begin() + m_step);
-  m_step = std::min(m_step, static_cast<int>(m_draft.steps.size()) - 1);
-  showSteps();
+  showStep(m_step);
+  takeChange();
 }
 
 void LessonDialog::moveStep(int places) {
@@ -111,13 +125,14 @@ void LessonDialog::moveStep(int places) {
             m_draft.steps[static_cast<std::size_t>(m_step + places)]);
   m_step += places;
   showSteps();
+  takeChange();
 }
 
 void LessonDialog::takeStep() {
   DraftStep &step = m_draft.steps[static_cast<std::size_t>(m_step)];
   step = m_form->step();
   m_steps->setTitle(m_step, QString::fromStdString(step.title));
-  check();
+  takeChange();
 }
 
 void LessonDialog::showSteps() {

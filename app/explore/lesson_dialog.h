@@ -31,10 +31,13 @@ public:
                QWidget *parent);
 
   [[nodiscard]] const LessonDraft &draft() const { return m_draft; }
+  /// To be written now; the last one where there are not so many.
+  void showStep(int step);
   /// Says why it was not saved, until something is changed.
   void complain(const QString &sentence);
 
 signals:
+  void written(); ///< something of the draft
   void saveWanted();
 
 private:
@@ -44,6 +47,7 @@ private:
   void removeStep();
   void moveStep(int places);
   void takeStep();
+  void takeChange();
   void showSteps();
   void check();
 

@@ -1,15 +1,18 @@
 #include "app/explore/scene_lesson.h"
 
-#include "app/explore/checked_draft.h"
 #include "app/explore/lesson_dialog.h"
+#include "app/library/own_lesson_folders.h"
 #include "app/work/save_dialog.h"
 #include "app/work/session_files.h"
 #include "lessons/files/write_file.h"
+#include "lessons/lesson/draft_of_lesson.h"
 #include "lessons/scene/file/large_meshes.h"
 
+#include <QCheckBox>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -68,65 +71,127 @@ QString leftOutOf(const Scene &scene) {
 
 } // namespace
 
-SceneLesson::SceneLesson(SessionModel &model, SessionFiles &files, Messages messages, QObject *parent)
-    : QObject(parent), m_model(model), m_files(files), m_messages(messages),
-      m_item(tr("Save as &Lesson…"), this) {
+SceneLesson::SceneLesson(SessionModel &model, SessionFiles &files, OwnLessonFolders &folders,
+                         Messages messages, QObject *parent)
+    : QObject(parent), m_model(model), m_files(files), m_folders(folders), m_messages(messages),
+      m_item(this) {
   m_item.setObjectName("saveAsLesson");
   connect(&m_item, &QAction::triggered, this, &SceneLesson::edit);
-  const auto enable = [this] {
-    m_item.setEnabled(isExplore(m_model) && !m_model.session().scene.entries.empty());
-  };
-  connect(&model, &SessionModel::outcomeChanged, this, enable);
+  connect(&model, &SessionModel::lessonChanged, this, &SceneLesson::enable);
+  connect(&model, &SessionModel::outcomeChanged, this, [this] {
+    if (isExplore(m_model))
+      enable();
+  });
   enable();
 }
 
-void SceneLesson::edit() {
-  const Evaluation start = m_model.evaluation();
-  const auto check = [&](const LessonDraft &draft) {
-    return checked(withId(draft), start.scene, viewOf(m_model), m_file.toStdString()).problems;
-  };
-  LessonDialog dialog(begun(), start, leftOutOf(start.scene), check, &m_messages.window());
-  connect(&dialog, &LessonDialog::saveWanted, this, [&] {
-    if (save(dialog))
-      dialog.accept();
-  });
-  const bool isSaved = dialog.exec() == QDialog::Accepted;
-  m_draft = dialog.draft();
-  if (isSaved)
-    offerToOpen();
+void SceneLesson::enable() {
+  const bool isThere = isExplore(m_model);
+  m_item.setText(isThere ? tr("Save as &Lesson…") : tr("Edit &Lesson…"));
+  m_item.setEnabled(isThere ? !m_model.session().scene.entries.empty()
+                            : workOn(m_model.lesson()).has_value());
 }
 
-LessonDraft SceneLesson::begun() const {
-  LessonDraft draft = m_draft;
+std::optional<LessonWork> SceneLesson::workOn(const Lesson &lesson) const {
+  const LessonWorks &works = m_files.lessonWorks();
+  if (const auto left = works.find(lesson.id); left != works.end())
+    return left->second;
+  auto draft = draftOf(lesson);
+  if (!draft)
+    return {};
+  return LessonWork{std::move(*draft), {QString::fromStdString(lesson.file), lesson.text, lesson.id}, true};
+}
+
+LessonWork SceneLesson::workInExplore() const {
+  const LessonWorks &works = m_files.lessonWorks();
+  const auto left = works.find(exploreId);
+  LessonWork work = left == works.end() ? LessonWork{{}, {}, true} : left->second;
+  LessonDraft &draft = work.draft;
   if (draft.steps.empty())
     draft.steps.push_back({tr("Step %1").arg(1).toStdString(), "", workingsShown(m_model)});
   for (DraftStep &step : draft.steps) {
     keepThere(step.workings, m_model.session().scene);
     keepThere(step.hidden, m_model.session().scene);
   }
-  return draft;
+  return work;
 }
 
-LessonDraft SceneLesson::withId(LessonDraft draft) const {
-  const std::string id = idFrom(QString::fromStdString(draft.title)).toStdString();
-  const auto isTaken = [&](const std::string &name) {
-    return m_model.library().find(name) && !m_ours.contains(name);
+void SceneLesson::keep(const std::string &lesson, const std::optional<LessonWork> &work) {
+  LessonWorks works = m_files.lessonWorks();
+  if (work)
+    works[lesson] = *work;
+  else
+    works.erase(lesson);
+  m_files.setLessonWorks(std::move(works));
+}
+
+void SceneLesson::goOnWith(const Lesson &lesson) {
+  const LessonWorks &works = m_files.lessonWorks();
+  const auto there = works.find(exploreId);
+  if (there == works.end() || there->second.isSaved)
+    keep(exploreId, workOn(lesson));
+}
+
+void SceneLesson::edit() {
+  if (isExplore(m_model)) {
+    LessonWork work = workInExplore();
+    if (write(exploreId, work, {m_model.evaluation(), viewOf(m_model)}))
+      offerToOpen(work.file);
+  } else if (auto work = workOn(m_model.lesson())) {
+    const Lesson &lesson = m_model.lesson();
+    const std::string id = lesson.id;
+    if (write(id, *work, {evaluate(lesson.scene), lesson.camera, m_model.session().step})) {
+      keep(id, {}); // it is as its file has it
+      m_messages.say(tr("The lesson is saved."));
+    }
+  }
+}
+
+bool SceneLesson::write(const std::string &lesson, LessonWork &work, const Start &start) {
+  const auto check = [&](const LessonDraft &draft) {
+    return checkedIn(work.file.path, draft, work, start).problems;
   };
-  draft.id = id;
-  for (int number = 2; isTaken(draft.id); ++number)
-    draft.id = id + "-" + std::to_string(number);
-  return draft;
+  LessonDialog dialog(work.draft, start.scene, leftOutOf(start.scene.scene), check, &m_messages.window());
+  dialog.showStep(start.step);
+  connect(&dialog, &LessonDialog::written, this, [&] {
+    work.draft = dialog.draft();
+    work.isSaved = false;
+    keep(lesson, work);
+  });
+  connect(&dialog, &LessonDialog::saveWanted, this, [&] {
+    if (save(dialog, work, start))
+      dialog.accept();
+  });
+  const bool isSaved = dialog.exec() == QDialog::Accepted;
+  if (isSaved)
+    keep(lesson, work);
+  return isSaved;
 }
 
-bool SceneLesson::save(LessonDialog &dialog) {
-  const LessonDraft draft = withId(dialog.draft());
-  const QString file =
-      askWhereToSave(dialog, tr("Save as lesson"), tr("Lessons (*.md)"), QString::fromStdString(draft.id),
-                     "md", m_file.isEmpty() ? QString() : QFileInfo(m_file).path());
+CheckedDraft SceneLesson::checkedIn(const QString &file, LessonDraft draft, const LessonWork &work,
+                                    const Start &start) const {
+  const bool isThere = !file.isEmpty() && file == work.file.path;
+  draft.id = isThere ? work.file.lesson : freshId(draft.title);
+  return checked(draft, start.scene, start.camera, file.toStdString()); // with the pictures there
+}
+
+QString SceneLesson::askForFile(LessonDialog &dialog, const LessonWork &work) const {
+  const bool isNew = work.file.path.isEmpty();
+  const QFileInfo before(work.file.path);
+  return askWhereToSave(
+      dialog, tr("Save as lesson"), tr("Lessons (*.md)"),
+      isNew ? idFrom(QString::fromStdString(dialog.draft().title)) : before.completeBaseName(), "md",
+      isNew ? m_folders.folders().value(m_folders.folders().size() - 1) : before.path());
+}
+
+bool SceneLesson::save(LessonDialog &dialog, LessonWork &work, const Start &start) {
+  // Made in Explore it may be another lesson.
+  const bool isAsked =
+      isExplore(m_model) || work.file.path.isEmpty() || !mayReplace(work.file, work.file.text);
+  const QString file = isAsked ? askForFile(dialog, work) : work.file.path;
   if (file.isEmpty())
     return false;
-  const CheckedDraft lesson =
-      checked(draft, m_model.session().scene, viewOf(m_model), file.toStdString()); // with the pictures there
+  const CheckedDraft lesson = checkedIn(file, dialog.draft(), work, start);
   const auto problem = lesson.problems.empty()
                            ? writeFile(file.toStdString(), lesson.text)
                            : std::optional(Problem{lesson.problems.front().sentence, "", 0, ""});
@@ -134,16 +199,37 @@ bool SceneLesson::save(LessonDialog &dialog) {
     dialog.complain(tr("The lesson is not saved. %1").arg(QString::fromStdString(problem->text())));
     return false;
   }
-  m_file = file;
-  m_ours.insert(draft.id);
+  Lesson written = *parseLesson(lesson.text, file.toStdString()); // it was checked
+  work = {dialog.draft(), {file, lesson.text, written.id}, true};
+  m_model.leftSessions().erase(written.id); // it may be of another scene
+  LessonLibrary library = m_model.library();
+  library.put(std::move(written));
+  m_model.setLibrary(std::move(library));
   return true;
 }
 
-void SceneLesson::offerToOpen() {
-  const auto answer = m_messages.ask(QMessageBox::Question, tr("The lesson is saved. Open it now?"),
-                                     QMessageBox::Open | QMessageBox::Close, QMessageBox::Open);
-  if (answer == QMessageBox::Open && m_files.mayLeave())
-    m_files.open(m_file);
+void SceneLesson::offerToOpen(const KnownFile &file) {
+  const QString folder = QFileInfo(file.path).absolutePath();
+  QMessageBox box(QMessageBox::Question, tr("Halfspace"), tr("The lesson is saved. Open it now?"),
+                  QMessageBox::Open | QMessageBox::Close, &m_messages.window());
+  QCheckBox always(tr("Show the lessons of its &folder in the contents from now on"));
+  always.setChecked(true);
+  if (!m_folders.folders().contains(folder))
+    box.setCheckBox(&always);
+  box.setDefaultButton(QMessageBox::Open);
+  const bool isOpened = box.exec() == QMessageBox::Open;
+  if (box.checkBox() && always.isChecked())
+    m_folders.add(folder);
+  if (isOpened)
+    m_model.openLesson(file.lesson);
+}
+
+std::string SceneLesson::freshId(const std::string &title) const {
+  const std::string wanted = idFrom(QString::fromStdString(title)).toStdString();
+  std::string id = wanted;
+  for (int number = 2; m_model.library().find(id); ++number)
+    id = wanted + "-" + std::to_string(number);
+  return id;
 }
 
 } // namespace halfspace

@@ -13,13 +13,13 @@
 
 namespace halfspace {
 
-SceneMenu::SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &field, ObjectHand &hand,
+SceneMenu::SceneMenu(SessionModel &model, GoOnInExplore &goOn, FieldPresenter &field, ObjectHand &hand,
                      SceneMeshes &meshes, QWidget *parent)
     : QMenu(tr("S&cene"), parent), m_model(model) {
   addItem(*this, tr("&Type or Find…"), QKeySequence("Ctrl+K"), &field, &FieldPresenter::open)
       ->setObjectName("typeOrFind");
   m_goOn = addItem(*this, tr("&Go on in Explore"), QKeySequence("Ctrl+Shift+K"), this,
-                   [this, &files] { goOnInExplore(m_model, files, m_model.session().scene); });
+                   [this, &goOn] { goOn.with(m_model.session().scene); });
   m_goOn->setObjectName("goOnInExplore");
   addTools(hand);
   addLines(field);

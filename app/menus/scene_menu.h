@@ -6,16 +6,16 @@
 namespace halfspace {
 
 class FieldPresenter;
+class GoOnInExplore;
 class ObjectHand;
 class SceneMeshes;
-class SessionFiles;
 class SessionModel;
 
 class SceneMenu : public QMenu {
   Q_OBJECT
 public:
   /// All must outlive it.
-  SceneMenu(SessionModel &model, SessionFiles &files, FieldPresenter &field, ObjectHand &hand,
+  SceneMenu(SessionModel &model, GoOnInExplore &goOn, FieldPresenter &field, ObjectHand &hand,
             SceneMeshes &meshes, QWidget *parent);
 
   /// The tools by which objects are added.

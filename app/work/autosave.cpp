@@ -35,19 +35,22 @@ Autosave::Autosave(SessionModel &model, SessionFiles &files, const UnfinishedInp
   keepSoon(); // that nothing can be kept is to be said before much is done
 }
 
-bool Autosave::hasLeftSessions() const {
+bool Autosave::hasElsewhere() const {
+  if (hasUnsaved(m_files.lessonWorks()))
+    return true;
   const auto &left = m_model.leftSessions();
   return std::any_of(left.begin(), left.end(),
                      [this](const auto &each) { return each.first != m_model.session().lesson; });
 }
 
 UnsavedWork Autosave::work() const {
-  return {m_model.session(), m_model.leftSessions(), m_files.belongsToFile() ? m_files.file() : nullptr};
+  return {m_model.session(), m_model.leftSessions(), m_files.belongsToFile() ? m_files.file() : nullptr,
+          m_files.lessonWorks()};
 }
 
 void Autosave::prepare() {
   const auto typed = m_input.typedChange();
-  if (!typed && !m_files.hasChanges() && !hasLeftSessions() &&
+  if (!typed && !m_files.hasChanges() && !hasElsewhere() &&
       !(m_model.history().inGesture() && isChanged(m_model)))
     return m_recovery.prepare({});
   UnsavedWork unsaved = work();
@@ -66,7 +69,7 @@ void Autosave::keepSoon() {
 std::optional<Problem> Autosave::keepNow() {
   m_timer.stop();
   std::optional<Problem> problem;
-  if (m_files.hasChanges() || hasLeftSessions())
+  if (m_files.hasChanges() || hasElsewhere())
     problem = m_recovery.keep(work());
   else
     m_recovery.forget();

@@ -38,8 +38,8 @@ public:
 private:
   /// For the end of the program at any moment from now on: what is unsaved, and what is being typed.
   void prepare();
-  /// Whether changed sessions of other lessons wait to be gone on with.
-  [[nodiscard]] bool hasLeftSessions() const;
+  /// Whether changed sessions of other lessons, or lessons that are being written, wait to be gone on with.
+  [[nodiscard]] bool hasElsewhere() const;
   [[nodiscard]] UnsavedWork work() const;
 
   SessionModel &m_model;

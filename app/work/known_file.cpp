@@ -1,6 +1,17 @@
 #include "app/work/known_file.h"
 
+#include "lessons/files/read_file.h"
+#include "lessons/scene/file/session_file.h"
+
 namespace halfspace {
+
+bool mayReplace(const KnownFile &file, const std::string &text) {
+  std::error_code error;
+  if (!std::filesystem::exists(file.path.toStdString(), error) && !error)
+    return true;
+  const auto found = readFile(file.path.toStdString(), maxSessionBytes);
+  return found && (*found == file.text || *found == text);
+}
 
 std::optional<QString> absolutePathOf(const std::filesystem::path &file) {
   std::error_code error;

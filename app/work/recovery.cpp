@@ -90,7 +90,8 @@ std::string toText(const UnsavedWork &work) {
     left.append(textOf(session));
   return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
                                    {"left", left},
-                                   {"file", toJson(work.file.get())}})
+                                   {"file", toJson(work.file.get())},
+                                   {"lessons", toJson(work.lessons)}})
       .toJson()
       .toStdString();
 }
@@ -106,7 +107,7 @@ std::optional<UnsavedWork> readWork(const QString &path) {
   auto session = read(json["session"]);
   if (!session)
     return {};
-  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"])};
+  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"]), lessonWorksFrom(json["lessons"])};
   for (const QJsonValue &other : json["left"].toArray())
     if (auto left = read(other))
       work.left[left->lesson] = *left;

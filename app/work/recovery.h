@@ -1,7 +1,7 @@
 // Unsaved work, kept where a killed program cannot lose it.
 #pragma once
 
-#include "app/work/known_file.h"
+#include "app/work/lesson_works.h"
 #include "lessons/result.h"
 #include "lessons/scene/session.h"
 
@@ -23,6 +23,7 @@ struct UnsavedWork {
   std::map<std::string, Session> left; ///< sessions of other lessons that were left with changes
   /// Where Save would write the session; null: it asks. Shared, as work is prepared at every change.
   std::shared_ptr<const KnownFile> file;
+  LessonWorks lessons{}; ///< that are being written
 };
 
 /// Keeps unsaved work in a file of its own, which nobody but the user may read. A lock beside the file tells

@@ -3,7 +3,6 @@
 #include "app/open_session.h"
 #include "app/panels/unfinished_input.h"
 #include "app/work/save_dialog.h"
-#include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
 #include "lessons/lesson/explore.h"
 #include "lessons/lesson/lesson_start.h"
@@ -35,16 +34,6 @@ QString savedWords(const Scene &scene) {
       .arg(left.join(", "), counted(mostWrittenTriangles));
 }
 
-/// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or
-/// written here, or holds that text already.
-bool mayReplace(const KnownFile &file, const std::string &text) {
-  std::error_code error;
-  if (!std::filesystem::exists(file.path.toStdString(), error) && !error)
-    return true;
-  const auto found = readFile(file.path.toStdString(), maxSessionBytes);
-  return found && (*found == file.text || *found == text);
-}
-
 } // namespace
 
 SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages,
@@ -53,6 +42,7 @@ SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages
 
 void SessionFiles::startWith(const Session &session, std::shared_ptr<const KnownFile> file) {
   m_file = std::move(file);
+  dropLesson();
   m_model.startWith(session);
   emit changed();
 }
@@ -73,6 +63,7 @@ void SessionFiles::open(const QString &file) {
     known = std::make_shared<KnownFile>(
         KnownFile{QFileInfo(file).absoluteFilePath(), std::move(opened->text), opened->session.lesson});
   m_file = std::move(known);
+  dropLesson();
   if (opened->origin == OpenedSession::Origin::Lesson)
     m_model.startWith(std::move(opened->session), std::move(library)); // with the lesson
   else
@@ -148,7 +139,21 @@ bool SessionFiles::hasChanges() const {
   return !m_model.history().isClean() && (belongsToFile() || isChanged(m_model));
 }
 
-bool SessionFiles::mayLeave() { return m_input.finishOrAsk() && (!hasChanges() || askToKeepChanges()); }
+void SessionFiles::setLessonWorks(LessonWorks works) {
+  if (works == m_works)
+    return;
+  m_works = std::move(works);
+  emit changed();
+}
+
+void SessionFiles::dropLesson() {
+  if (isExplore(m_model))
+    m_works.erase(exploreId);
+}
+
+bool SessionFiles::mayLeave() {
+  return m_input.finishOrAsk() && (!hasChanges() || askToKeepChanges()) && askToDropLesson();
+}
 
 bool SessionFiles::mayClose() {
   if (!m_input.finishOrAsk())
@@ -167,6 +172,17 @@ bool SessionFiles::askToKeepChanges() {
       m_messages.ask(QMessageBox::Question, tr("Save your changes to “%1” first?").arg(name()),
                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+bool SessionFiles::askToDropLesson() {
+  const auto work = isExplore(m_model) ? m_works.find(exploreId) : m_works.end();
+  if (work == m_works.end() || work->second.isSaved)
+    return true;
+  const QString title = QString::fromStdString(work->second.draft.title);
+  return m_messages.ask(QMessageBox::Warning,
+                        tr("The lesson “%1” that you have written of this scene is not saved.").arg(title),
+                        QMessageBox::Discard | QMessageBox::Cancel,
+                        QMessageBox::Cancel) == QMessageBox::Discard;
 }
 
 bool SessionFiles::askToReplace(const KnownFile &file) {

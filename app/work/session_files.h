@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/panels/messages.h"
-#include "app/work/known_file.h"
+#include "app/work/lesson_works.h"
 #include "widgets/session_model.h"
 
 #include <QObject>
@@ -52,6 +52,10 @@ public:
   /// Whether something in the session on the screen would be lost.
   [[nodiscard]] bool hasChanges() const;
 
+  /// The lessons that are being written. That of Explore goes with its scene.
+  [[nodiscard]] const LessonWorks &lessonWorks() const { return m_works; }
+  void setLessonWorks(LessonWorks works);
+
   /// Whether another session may take the place of this one: what is typed is entered, changes are asked
   /// about.
   [[nodiscard]] bool mayLeave();
@@ -60,12 +64,16 @@ public:
   [[nodiscard]] bool mayClose();
 
 signals:
-  void changed(); ///< the session has another file, or its file holds something else
+  void changed(); ///< the session has another file, its file holds something else, or a lesson is written
 
 private:
   /// Enters what is typed, to save it; false, with a complaint, where it cannot be entered.
   bool finishInput();
   [[nodiscard]] bool askToKeepChanges();
+  /// Whether what is written of a lesson of the scene in Explore may go.
+  [[nodiscard]] bool askToDropLesson();
+  /// It goes with the scene that it is made of.
+  void dropLesson();
   bool askToReplace(const KnownFile &file);
   /// Back to what the session's file holds.
   void dropChanges();
@@ -74,6 +82,7 @@ private:
   UnfinishedInput &m_input;
   Messages m_messages;
   std::shared_ptr<const KnownFile> m_file;
+  LessonWorks m_works;
 };
 
 } // namespace halfspace

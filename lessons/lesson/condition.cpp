@@ -57,8 +57,9 @@ Result<Condition> parseComparison(std::string_view text) {
   return notAComparison(text);
 }
 
+constexpr std::string_view joint = " and ";
+
 Result<Conditions> parseComparisons(std::string_view text) {
-  constexpr std::string_view joint = " and ";
   Conditions conditions;
   while (true) {
     const auto end = text.find(joint);
@@ -183,6 +184,18 @@ Result<Conditions> parseConditions(std::string_view text) {
   if (meant != text && parseComparisons(meant))
     problem.sentence += " " + words("Perhaps “{guess}” is meant.", {{"guess", shortened(meant)}});
   return problem;
+}
+
+std::string toText(const Conditions &conditions) {
+  std::string text;
+  for (const Condition &condition : conditions) {
+    const auto sign = std::find_if(relationSigns.begin(), relationSigns.end(), [&](const RelationSign &each) {
+      return each.relation == condition.relation;
+    });
+    text += (text.empty() ? "" : std::string(joint)) + condition.value + " " + std::string(sign->sign) + " " +
+            condition.against;
+  }
+  return text;
 }
 
 std::optional<NamedValue> findNamedValue(const Evaluation &evaluation, std::string_view name) {

@@ -256,7 +256,7 @@ struct LessonLibrary {
   /// The lesson with an id, or null; see also `exploreLesson`, which is no lesson of a folder.
   [[nodiscard]] const Lesson *find(std::string_view id) const;
   /// Puts a lesson into the place of the one with its id, in whose chapter it stands then, or behind all
-  /// others.
+  /// others, as one of a teacher's own.
   void put(Lesson lesson);
 };
 [[nodiscard]] LessonLibrary readLessons(const std::filesystem::path &folder);

@@ -1,6 +1,6 @@
 #include "lessons/lesson/lesson_draft.h"
 
-#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/condition.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -46,6 +46,8 @@ void tidy(DraftStep &step) {
   if (step.task) {
     tidy(step.task->instruction);
     tidy(step.task->condition);
+    if (const auto conditions = parseConditions(step.task->condition))
+      step.task->condition = toText(*conditions);
   }
 }
 

@@ -55,7 +55,7 @@ struct DraftProblem {
 };
 
 /// As files have it: without white space around its texts, every end of a line the same, texts other than the
-/// words of steps without tabs.
+/// words of steps without tabs; conditions as `toText` writes them.
 [[nodiscard]] LessonDraft tidied(LessonDraft draft);
 
 /// What is missing in a draft, and which of its texts would be read as something else; from top to bottom.

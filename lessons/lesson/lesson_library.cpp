@@ -16,16 +16,6 @@ const Lesson *LessonLibrary::find(std::string_view id) const {
   return id == exploreId ? &exploreLesson() : nullptr;
 }
 
-void LessonLibrary::put(Lesson lesson) {
-  for (Lesson &each : lessons)
-    if (each.id == lesson.id) {
-      lesson.chapter = each.chapter;
-      each = std::move(lesson);
-      return;
-    }
-  lessons.push_back(std::move(lesson));
-}
-
 namespace {
 
 /// The lesson files of a folder, by their names; a folder that cannot be read is a problem.
@@ -49,7 +39,9 @@ void addLessons(LessonLibrary &library, const std::filesystem::path &folder) {
     auto lesson = readLesson(file);
     if (!lesson)
       library.problems.push_back(lesson.problem());
-    else if (library.find(lesson->id))
+    else if (const Lesson *other = library.find(lesson->id); other && other->file == lesson->file)
+      continue; // it is there already
+    else if (other)
       library.problems.push_back(
           {words("Another lesson has the id “{id}” already. Give this one its own.", {{"id", lesson->id}}),
            file.string(), lesson->idLine, "id"});
@@ -60,7 +52,24 @@ void addLessons(LessonLibrary &library, const std::filesystem::path &folder) {
                    [](const Lesson &a, const Lesson &b) { return a.order < b.order; });
 }
 
+/// A teacher's own lesson that names no chapter stands in one of such lessons.
+void giveChapter(Lesson &lesson) {
+  if (lesson.chapter.empty())
+    lesson.chapter = words("Own lessons");
+}
+
 } // namespace
+
+void LessonLibrary::put(Lesson lesson) {
+  for (Lesson &each : lessons)
+    if (each.id == lesson.id) {
+      lesson.chapter = each.chapter;
+      each = std::move(lesson);
+      return;
+    }
+  giveChapter(lesson);
+  lessons.push_back(std::move(lesson));
+}
 
 LessonLibrary readLessons(const std::filesystem::path &folder) {
   LessonLibrary library;
@@ -72,8 +81,7 @@ void addOwnLessons(LessonLibrary &library, const std::filesystem::path &folder) 
   const auto first = static_cast<std::ptrdiff_t>(library.lessons.size());
   addLessons(library, folder);
   for (auto lesson = library.lessons.begin() + first; lesson != library.lessons.end(); ++lesson)
-    if (lesson->chapter.empty())
-      lesson->chapter = words("Own lessons");
+    giveChapter(*lesson);
 }
 
 } // namespace halfspace

@@ -87,12 +87,12 @@ std::string textOf(const DraftStep &step, bool hasConstructions) {
     text += "\n" + step.words + "\n";
   if (step.question)
     text += questionBlock(*step.question);
+  if (step.task) // above the lines, which are of different length while somebody does it
+    text += block("task", field("do", step.task->instruction) + field("when", step.task->condition));
   if (hasConstructions)
     text += shownBlocks(step);
   if (!step.hidden.empty())
     text += block("hide", listed(step.hidden, ""));
-  if (step.task)
-    text += block("task", field("do", step.task->instruction) + field("when", step.task->condition));
   return text;
 }
 

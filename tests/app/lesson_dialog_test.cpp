@@ -2,6 +2,7 @@
 // through.
 #include "app/check.h"
 #include "app/explore/lesson_dialog.h"
+#include "app/work/session_files.h"
 #include "lessons/object/kinds/point.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/explore/entry_field.h"
@@ -98,7 +99,7 @@ private:
       });
     } else if (auto *file = qobject_cast<QFileDialog *>(asks)) {
       file->findChild<QLineEdit *>()->setText(m_file);
-      QMetaObject::invokeMethod(file, "accept");
+      QMetaObject::invokeMethod(file, "accept", Qt::QueuedConnection); // it may ask in its turn
     } else if (auto *box = qobject_cast<QMessageBox *>(asks); box && !m_buttons.isEmpty()) {
       const QString wanted = m_buttons.takeFirst();
       for (QAbstractButton *button : box->buttons())
@@ -185,7 +186,7 @@ private slots:
           author.type("title", "Sides: two of them");
           author.type("words", "Look at $f(Q)$ = ");
           auto &values = author.part<QComboBox>("wordsValues");
-          emit values.activated(values.findText("f"));
+          emit values.activated(values.findText("f = 30"));
           QTest::keyClicks(&author.part<QPlainTextEdit>("words"), ".");
           QCOMPARE(author.part<QPlainTextEdit>("words").toPlainText(), QString("Look at $f(Q)$ = {f}."));
           writeQuestion(author);
@@ -199,7 +200,7 @@ private slots:
           QCOMPARE(author.complaint(), QString());
           author.click("saveLesson");
         },
-        file, {"Open", "Discard"});
+        file, {"Open"});
     fixture.item().trigger();
     QVERIFY(asked.isDone());
 
@@ -231,6 +232,81 @@ private slots:
     QVERIFY(!isDone(task, fixture.model().evaluation()));
     fixture.model().history().editTogether({ChangeObject{"Q", Object(PointObject{{0, 0, 0}})}}, "Move Q");
     QVERIFY(isDone(task, fixture.model().evaluation()));
+  }
+
+  void lessonThatWasMadeSo_isMadeAnew_whereItIsOpen_andFromExplore() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("sides.md");
+    AuthorFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.buildScene();
+    const Scene scene = fixture.model().session().scene;
+    const auto writes = [&](const QString &title, const QString &words, const QStringList &buttons) {
+      DialogAnswerer asked(
+          [=](Author &author) {
+            author.type("title", title);
+            author.type("words", words);
+            author.click("saveLesson");
+          },
+          file, buttons);
+      fixture.item().trigger();
+      return asked.isDone();
+    };
+    QVERIFY(writes("Sides", "One.", {"Open"}));
+    QCOMPARE(fixture.model().lesson().id, std::string("sides"));
+    QCOMPARE(fixture.model().lesson().chapter, std::string("Own lessons"));
+    fixture.model().openLesson(exploreId);
+    QVERIFY2(fixture.model().session().scene == scene, "it was not asked about, as it stays");
+
+    fixture.model().openLesson("sides");
+    QVERIFY(fixture.item().isEnabled());
+    fixture.model().history().editTogether({ChangeObject{"Q", Object(PointObject{{0, 0, 0}})}}, "Move Q");
+    QVERIFY(writes("Sides of a plane", "Two.", {}));
+    const auto wordsOf = [&] {
+      return std::get<StepWords>(fixture.model().lesson().steps.front().blocks.front()).text.written();
+    };
+    QCOMPARE(fixture.model().lesson().id, std::string("sides"));
+    QCOMPARE(fixture.model().lesson().title, std::string("Sides of a plane"));
+    QCOMPARE(wordsOf(), std::string("Two."));
+    QVERIFY2(fixture.model().lesson().scene == scene, "the lesson begins as it began");
+
+    fixture.window.findChild<QAction *>("goOnInExplore")->trigger();
+    fixture.enter("R = (0, 0, 0)");
+    QVERIFY(writes("Sides of a plane", "Three.", {"Yes", "Open"}));
+    QCOMPARE(fixture.model().lesson().id, std::string("sides"));
+    QCOMPARE(wordsOf(), std::string("Three."));
+    QVERIFY(fixture.model().lesson().scene.entries.find("R"));
+    QCOMPARE(fixture.model().library().lessons.size(), readLessons(TEST_LESSONS_FOLDER).lessons.size() + 1);
+  }
+
+  void whatIsWritten_andNotSaved_isKept_andGoesWithItsSceneAlone() {
+    AuthorFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.buildScene();
+    DialogAnswerer first([](Author &author) { author.type("title", "Half of it"); }, {}, {});
+    fixture.item().trigger();
+    QVERIFY(first.isDone());
+    SessionFiles &files = fixture.window.files();
+    QVERIFY(hasUnsaved(files.lessonWorks()));
+    QCOMPARE(files.lessonWorks().at(exploreId).draft.title, std::string("Half of it"));
+    {
+      DialogAnswerer asked({}, {}, {"Discard", "Cancel"});
+      files.startNew();
+      QVERIFY2(asked.isDone(), "the scene may go, but not what is written of it");
+    }
+    QVERIFY(!fixture.model().session().scene.entries.empty());
+    {
+      DialogAnswerer asked({}, {}, {"Discard", "Discard"});
+      files.startNew();
+      QVERIFY(asked.isDone());
+    }
+    QVERIFY(fixture.model().session().scene.entries.empty());
+    QVERIFY(files.lessonWorks().empty());
+    fixture.enter("A = (1, 2, 3)");
+    DialogAnswerer second([](Author &author) { QCOMPARE(author.part<QLineEdit>("title").text(), QString()); },
+                          {}, {});
+    fixture.item().trigger();
+    QVERIFY(second.isDone());
   }
 
   void whatIsWrong_isSaidWithItsStep_andKeepsTheLessonFromBeingSaved() {

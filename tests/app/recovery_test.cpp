@@ -51,6 +51,27 @@ protected:
   QTemporaryDir folder;
 };
 
+TEST_F(RecoveryTest, LessonsThatAreBeingWritten_AreKeptWithTheWork) {
+  UnsavedWork work = workAt(3);
+  const DraftQuestion question{"Where?", "side", {{"positive", "Here"}, {"otherwise", "There"}}, "So."};
+  const DraftStep first{"One", "Words: “{f}”\n\n$x$", {"d"}, {"E", "Q"}, question};
+  const DraftStep second{"Two", "", {}, {}, {}, DraftTask{"Do it.", "side ="}};
+  work.lessons["explore"] = {{"", "Half", {first, second}}, {}, false};
+  work.lessons["mine"] = {{"", "Mine", {second}}, {"/tmp/mine.md", "---\n", "mine"}, true};
+  {
+    Recovery recovery(folder.path());
+    ASSERT_FALSE(recovery.keep(work));
+    recovery.leave();
+  }
+  Recovery recovery(folder.path());
+  const auto leftovers = recovery.leftovers();
+  ASSERT_EQ(leftovers.size(), 1U);
+  EXPECT_EQ(leftovers.front().work.lessons, work.lessons);
+  EXPECT_TRUE(hasUnsaved(work.lessons));
+  work.lessons.erase("explore");
+  EXPECT_FALSE(hasUnsaved(work.lessons));
+}
+
 TEST_F(RecoveryTest, OfAProgramThatLives_IsLeftAlone_AndOfferedOnceItIsKilled) {
   const pid_t child = startProgram(7);
   Recovery recovery(folder.path());

@@ -32,6 +32,13 @@ TEST(Condition, OfNumbers_ComparesExactly) {
   EXPECT_FALSE(holdsFor("t > 0"));
 }
 
+TEST(Condition, WrittenAsText_IsReadBack) {
+  const std::string text =
+      "t = -10/3 and s != 0.5 and perp.uu < 3 and a <= 1 and b >= 2 and c > 3 and side = on";
+  EXPECT_EQ(toText(*parseConditions(text)), text);
+  EXPECT_EQ(toText(*parseConditions("t<0 and  s!=1")), "t < 0 and s != 1");
+}
+
 TEST(Condition, OfARoot_ComparesExactly) {
   EXPECT_TRUE(holdsFor("distance > 1.41421356237309504880168872420969807"));
   EXPECT_TRUE(holdsFor("distance < 1.41421356237309504880168872420969808"));

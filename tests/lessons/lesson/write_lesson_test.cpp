@@ -2,9 +2,11 @@
 #include "lessons/lesson/write_lesson.h"
 
 #include "lessons/lesson/condition.h"
+#include "lessons/lesson/draft_of_lesson.h"
 #include "lessons/lesson/explore.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
+#include "lessons/text.h"
 #include "lessons/typed/typed_scene.h"
 #include "tests/effort.h"
 #include "tests/lessons/scene/random_edits.h"
@@ -26,38 +28,6 @@ Lesson readBack(const LessonDraft &draft, const Scene &scene) {
   return lesson ? *lesson : Lesson();
 }
 
-DraftQuestion questionOf(const Prediction &prediction) {
-  DraftQuestion question{prediction.question.written(), prediction.value, {}, prediction.reason.written()};
-  for (const Prediction::Choice &choice : prediction.choices)
-    question.choices.push_back({choice.word, choice.text.written()});
-  return question;
-}
-
-/// The draft of a step as it was read. Conditions are compared as such: their text is `condition`.
-DraftStep draftOf(const LessonStep &step, const std::string &condition) {
-  DraftStep draft{step.title, ""};
-  draft.hidden = step.hidden;
-  for (const StepBlock &block : step.blocks)
-    if (const auto *words = std::get_if<StepWords>(&block))
-      draft.words += words->text.written();
-    else if (const auto *prediction = std::get_if<Prediction>(&block))
-      draft.question = questionOf(*prediction);
-    else if (const auto *task = std::get_if<Task>(&block))
-      draft.task = DraftTask{task->instruction.written(), condition};
-    else
-      for (const std::string &id : std::get<StepLines>(block).ids)
-        if (id != "none")
-          draft.workings.push_back(id.substr(0, id.size() - 2));
-  return draft;
-}
-
-LessonDraft draftOf(const Lesson &lesson, const std::string &condition) {
-  LessonDraft draft{lesson.id, lesson.title, {}};
-  for (const LessonStep &step : lesson.steps)
-    draft.steps.push_back(draftOf(step, condition));
-  return draft;
-}
-
 const DraftQuestion whichSide{
     "On which side?", "side", {{"positive", "There: $\\nu$"}, {"otherwise", "Elsewhere"}}, "It's so."};
 
@@ -73,11 +43,22 @@ TEST(WriteLesson, ADraftWithEverything_IsReadBack) {
   const LessonDraft draft = everything();
   EXPECT_TRUE(problemsOf(draft).empty());
   const Lesson lesson = readBack(draft, test::distanceScene());
-  EXPECT_EQ(draftOf(lesson, draft.steps[1].task->condition), draft);
+  EXPECT_EQ(draftOf(lesson), draft);
   EXPECT_EQ(lesson.scene, test::distanceScene());
   EXPECT_EQ(lesson.camera, view);
   EXPECT_TRUE(tasksOf(lesson.steps[1]).front().conditions ==
               *parseConditions(draft.steps[1].task->condition));
+}
+
+TEST(DraftOf, ALessonThatSaysMoreThanADraft_IsNothing) {
+  const std::string text = writeLesson(everything(), test::distanceScene(), view).text;
+  const auto draftIn = [](const std::string &lesson) { return draftOf(*parseLesson(lesson, "a.md")); };
+  EXPECT_EQ(draftIn(text), everything());
+  EXPECT_EQ(draftIn(text + "\n```note\nA note\nOf something.\n```\n"), std::nullopt);
+  EXPECT_EQ(draftIn(replacedAll(text, "distance.*", "distance.f")), std::nullopt);
+  EXPECT_EQ(draftIn(replacedAll(text, "\n---\n## One", "\nsources: [PG 3.4]\n---\n## One")), std::nullopt);
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
+    EXPECT_EQ(draftOf(lesson), std::nullopt) << lesson.id;
 }
 
 TEST(WriteLesson, ASimpleLesson_ReadsAsSomebodyWouldWriteIt) {
@@ -167,8 +148,7 @@ TEST(WriteLesson, NastyTexts_AreRefusedOrReadBack) {
     }
     ++written;
     const Lesson lesson = readBack(draft, test::distanceScene());
-    ASSERT_EQ(draftOf(lesson, "side = negative"), tidied(draft))
-        << writeLesson(draft, test::distanceScene(), view).text;
+    ASSERT_EQ(draftOf(lesson), tidied(draft)) << writeLesson(draft, test::distanceScene(), view).text;
   }
   EXPECT_GT(written, test::atLeast(2000));
   EXPECT_GT(refused, test::atLeast(2000));

@@ -169,7 +169,8 @@ TEST_P(EveryKind, IsSettledOnce) {
 /// As files have it: plane: {P0: [x, y, z], n: [x, y, z]}
 std::string spelled(const Kind &kind) {
   std::string coordinates = kind.binding ? "on: name" : "";
-  for (const CoordinateSpec &spec : coordinatesOf(Object(kind)))
+  const Object object(kind);
+  for (const CoordinateSpec &spec : coordinatesOf(object))
     coordinates += (coordinates.empty() ? "" : ", ") + std::string(spec.name) +
                    (spec.name.empty() ? "" : ": ") + (numbersIn(spec.role) == 3 ? "[x, y, z]" : "x");
   if (kind.shape)
