@@ -9,15 +9,6 @@
 
 namespace halfspace {
 
-namespace {
-
-/// Whether the scenes differ in the numbers of their objects alone.
-bool haveSameEntries(const Scene &a, const Scene &b) {
-  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), areBuiltAlike);
-}
-
-} // namespace
-
 SessionModel::SessionModel(LessonLibrary library, Session first)
     : m_library(std::move(library)), m_exploreStep(stepShowing({})) {
   connect(&m_history, &SessionHistory::sceneChanged, this, [this](const Session &before, bool replaced) {
@@ -63,7 +54,7 @@ void SessionModel::setLibrary(LessonLibrary library) {
   const Lesson *now = m_library.find(before.id);
   Session renewed = session();
   if (now && !isExplore(*this) &&
-      (renewed.scene == before.scene || !haveSameEntries(now->scene, renewed.scene)))
+      (renewed.scene == before.scene || !areBuiltAlike(now->scene, renewed.scene)))
     renewed.scene = now->scene;
   if (!(renewed.scene == session().scene))
     m_history.beginAnew(true);

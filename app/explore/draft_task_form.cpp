@@ -75,10 +75,12 @@ void DraftTaskForm::tellNow() {
   const bool holdsNow =
       conditions && std::all_of(conditions->begin(), conditions->end(),
                                 [&](const Condition &condition) { return holds(condition, m_start); });
-  m_now->setText(!conditions ? tr("Write it as side = negative, or as t < 0 and s != 1.")
-                 : holdsNow
-                     ? tr("This holds already as the scene is now: what is done at the start is no task.")
-                     : tr("This does not hold as the scene is now: it can be brought about."));
+  m_now->setText(
+      !conditions ? tr("Write it as side = negative, or as t < 0 and s != 1.")
+      : holdsNow
+          ? tr("This holds already as the scene is now: as the first task of a lesson it would be done at "
+               "the start.")
+          : tr("This does not hold as the scene is now: it can be brought about."));
   m_now->setProperty("wrong", holdsNow);
   repolish(*m_now);
 }

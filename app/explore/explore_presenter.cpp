@@ -47,12 +47,15 @@ void ExplorePresenter::takeLesson() {
   const auto &entries = m_model.session().scene.entries;
   m_entries = entries.size();
   m_last = entries.empty() ? std::string() : entries[entries.size() - 1].name;
-  if (!isExplore(m_model))
+  const bool isStillThere = isExplore(m_model) && !m_panels.explore().isHidden();
+  if (!isStillThere) {
     m_pinned.clear();
-  m_selection.set({});
-  m_panels.explore().setVisible(isExplore(m_model));
-  if (isExplore(m_model))
-    m_panels.side().setSizes({1000, 1000}); // halves: only their ratio counts
+    m_selection.set({});
+    m_panels.explore().setVisible(isExplore(m_model));
+    if (isExplore(m_model))
+      m_panels.side().setSizes({1000, 1000}); // halves: only their ratio counts
+  }
+  std::erase_if(m_pinned, [&](const std::string &name) { return !entries.find(name); });
   showWorkings();
 }
 

@@ -63,8 +63,10 @@ FieldPresenter::FieldPresenter(SessionModel &model, GoOnInExplore &goOn, EntryBa
         putLine(line);
   });
   connect(&model, &SessionModel::outcomeChanged, this, [this] {
-    if (!m_edited.empty() && !m_model.session().scene.entries.find(m_edited))
-      show(); // the line is of nothing any more
+    if (m_edited.empty() || m_model.session().scene.entries.find(m_edited))
+      return;
+    remember(); // the line is of nothing any more: the up key brings it back
+    show();
   });
   connect(&model, &SessionModel::lessonChanged, this, [this] {
     m_isOpen = false;

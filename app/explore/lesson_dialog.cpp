@@ -80,6 +80,9 @@ LessonDialog::LessonDialog(LessonDraft draft, const Evaluation &start, const QSt
 QWidget *LessonDialog::buttons() {
   auto *box = new QDialogButtonBox(QDialogButtonBox::Close);
   box->addButton(m_save, QDialogButtonBox::ActionRole);
+  auto *discard = box->addButton(tr("D&iscard…"), QDialogButtonBox::ResetRole);
+  discard->setObjectName("discardLesson");
+  connect(discard, &QPushButton::clicked, this, &LessonDialog::discardWanted);
   for (QAbstractButton *each : box->buttons()) {
     static_cast<QPushButton *>(each)->setAutoDefault(false); // Enter belongs to the fields
     each->setIcon({});                                       // a theme's own is not seen in every theme
@@ -97,6 +100,11 @@ void LessonDialog::choose(int step) {
 void LessonDialog::showStep(int step) {
   m_step = std::min(step, static_cast<int>(m_draft.steps.size()) - 1);
   showSteps();
+}
+
+void LessonDialog::setEditing() {
+  setWindowTitle(tr("Edit lesson"));
+  m_save->setText(tr("Sa&ve"));
 }
 
 void LessonDialog::takeChange() {

@@ -33,12 +33,15 @@ public:
   [[nodiscard]] const LessonDraft &draft() const { return m_draft; }
   /// To be written now; the last one where there are not so many.
   void showStep(int step);
+  /// It is the lesson of a file, which is written to without a question.
+  void setEditing();
   /// Says why it was not saved, until something is changed.
   void complain(const QString &sentence);
 
 signals:
   void written(); ///< something of the draft
   void saveWanted();
+  void discardWanted(); ///< all that is written and not saved
 
 private:
   [[nodiscard]] QWidget *buttons();

@@ -55,6 +55,15 @@ void keepThere(std::vector<std::string> &names, const Scene &scene) {
   std::erase_if(names, [&](const std::string &name) { return !scene.entries.find(name); });
 }
 
+/// A lesson as its file has it; nothing where a draft does not say all of it.
+std::optional<LessonWork> workInFile(const Lesson &lesson) {
+  auto draft = draftOf(lesson);
+  const auto path = absolutePathOf(lesson.file);
+  if (!draft || !path)
+    return {};
+  return LessonWork{std::move(*draft), {*path, lesson.text, lesson.id}, true};
+}
+
 /// What of a scene lessons have no place for.
 QString leftOutOf(const Scene &scene) {
   QStringList sentences;
@@ -78,6 +87,7 @@ SceneLesson::SceneLesson(SessionModel &model, SessionFiles &files, OwnLessonFold
   m_item.setObjectName("saveAsLesson");
   connect(&m_item, &QAction::triggered, this, &SceneLesson::edit);
   connect(&model, &SessionModel::lessonChanged, this, &SceneLesson::enable);
+  connect(&files, &SessionFiles::changed, this, &SceneLesson::enable); // what was written may be back
   connect(&model, &SessionModel::outcomeChanged, this, [this] {
     if (isExplore(m_model))
       enable();
@@ -93,19 +103,19 @@ void SceneLesson::enable() {
 }
 
 std::optional<LessonWork> SceneLesson::workOn(const Lesson &lesson) const {
+  if (!m_model.library().find(lesson.id))
+    return {}; // its file is not known
   const LessonWorks &works = m_files.lessonWorks();
-  if (const auto left = works.find(lesson.id); left != works.end())
-    return left->second;
-  auto draft = draftOf(lesson);
-  if (!draft)
-    return {};
-  return LessonWork{std::move(*draft), {QString::fromStdString(lesson.file), lesson.text, lesson.id}, true};
+  const auto left = works.find(lesson.id);
+  return left == works.end() ? workInFile(lesson) : left->second;
 }
 
 LessonWork SceneLesson::workInExplore() const {
   const LessonWorks &works = m_files.lessonWorks();
   const auto left = works.find(exploreId);
   LessonWork work = left == works.end() ? LessonWork{{}, {}, true} : left->second;
+  if (const Lesson *saved = work.isSaved ? m_model.library().find(work.file.lesson) : nullptr)
+    work = workInFile(*saved).value_or(work); // it may have been edited where it is open
   LessonDraft &draft = work.draft;
   if (draft.steps.empty())
     draft.steps.push_back({tr("Step %1").arg(1).toStdString(), "", workingsShown(m_model)});
@@ -118,7 +128,7 @@ LessonWork SceneLesson::workInExplore() const {
 
 void SceneLesson::keep(const std::string &lesson, const std::optional<LessonWork> &work) {
   LessonWorks works = m_files.lessonWorks();
-  if (work)
+  if (work && (lesson == exploreId || !work->isSaved))
     works[lesson] = *work;
   else
     works.erase(lesson);
@@ -140,10 +150,8 @@ void SceneLesson::edit() {
   } else if (auto work = workOn(m_model.lesson())) {
     const Lesson &lesson = m_model.lesson();
     const std::string id = lesson.id;
-    if (write(id, *work, {evaluate(lesson.scene), lesson.camera, m_model.session().step})) {
-      keep(id, {}); // it is as its file has it
+    if (write(id, *work, {evaluate(lesson.scene), lesson.camera, m_model.session().step}))
       m_messages.say(tr("The lesson is saved."));
-    }
   }
 }
 
@@ -153,10 +161,19 @@ bool SceneLesson::write(const std::string &lesson, LessonWork &work, const Start
   };
   LessonDialog dialog(work.draft, start.scene, leftOutOf(start.scene.scene), check, &m_messages.window());
   dialog.showStep(start.step);
+  if (lesson != exploreId)
+    dialog.setEditing();
+  const LessonWork before = work;
   connect(&dialog, &LessonDialog::written, this, [&] {
     work.draft = dialog.draft();
-    work.isSaved = false;
+    work.isSaved = before.isSaved && tidied(work.draft) == tidied(before.draft);
     keep(lesson, work);
+  });
+  connect(&dialog, &LessonDialog::discardWanted, this, [&] {
+    if (!askToDiscard(dialog))
+      return;
+    keep(lesson, {});
+    dialog.reject();
   });
   connect(&dialog, &LessonDialog::saveWanted, this, [&] {
     if (save(dialog, work, start))
@@ -186,8 +203,9 @@ QString SceneLesson::askForFile(LessonDialog &dialog, const LessonWork &work) co
 
 bool SceneLesson::save(LessonDialog &dialog, LessonWork &work, const Start &start) {
   // Made in Explore it may be another lesson.
-  const bool isAsked =
-      isExplore(m_model) || work.file.path.isEmpty() || !mayReplace(work.file, work.file.text);
+  const bool isAsked = isExplore(m_model) || work.file.path.isEmpty();
+  if (!isAsked && !mayReplace(work.file, work.file.text) && !askToReplace(dialog, work.file))
+    return false;
   const QString file = isAsked ? askForFile(dialog, work) : work.file.path;
   if (file.isEmpty())
     return false;
@@ -201,11 +219,28 @@ bool SceneLesson::save(LessonDialog &dialog, LessonWork &work, const Start &star
   }
   Lesson written = *parseLesson(lesson.text, file.toStdString()); // it was checked
   work = {dialog.draft(), {file, lesson.text, written.id}, true};
-  m_model.leftSessions().erase(written.id); // it may be of another scene
+  const auto left = m_model.leftSessions().find(written.id);
+  if (left != m_model.leftSessions().end() && !areBuiltAlike(left->second.scene, written.scene))
+    m_model.leftSessions().erase(left); // it is of another scene
+  keep(written.id, {});
   LessonLibrary library = m_model.library();
   library.put(std::move(written));
   m_model.setLibrary(std::move(library));
   return true;
+}
+
+bool SceneLesson::askToDiscard(LessonDialog &dialog) {
+  return QMessageBox::question(&dialog, tr("Halfspace"), tr("Discard what is written here and not saved?"),
+                               QMessageBox::Discard | QMessageBox::Cancel,
+                               QMessageBox::Cancel) == QMessageBox::Discard;
+}
+
+bool SceneLesson::askToReplace(LessonDialog &dialog, const KnownFile &file) {
+  return QMessageBox::warning(
+             &dialog, tr("Halfspace"),
+             tr("Another program has changed %1 since. Replace it with what is written here?")
+                 .arg(QFileInfo(file.path).fileName()),
+             QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
 }
 
 void SceneLesson::offerToOpen(const KnownFile &file) {

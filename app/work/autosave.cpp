@@ -45,7 +45,7 @@ bool Autosave::hasElsewhere() const {
 
 UnsavedWork Autosave::work() const {
   return {m_model.session(), m_model.leftSessions(), m_files.belongsToFile() ? m_files.file() : nullptr,
-          m_files.lessonWorks()};
+          m_files.sharedLessonWorks()};
 }
 
 void Autosave::prepare() {
@@ -92,8 +92,11 @@ bool Autosave::keepForNextStart() {
     const bool canSave = m_files.hasChanges();
     const QString question =
         canSave ? tr("Unsaved work cannot be kept for the next start. Save it to a file?")
-                : tr("Your changes in other lessons cannot be kept for the next start. To keep "
-                     "them, cancel, open these lessons and save each to a file.");
+        : hasUnsaved(m_files.lessonWorks())
+            ? tr("The lesson that you are writing cannot be kept for the next start. To keep it, cancel and "
+                 "save it to a file.")
+            : tr("Your changes in other lessons cannot be kept for the next start. To keep "
+                 "them, cancel, open these lessons and save each to a file.");
     const QMessageBox::StandardButtons others = QMessageBox::Discard | QMessageBox::Cancel;
     const auto answer = m_messages.ask(
         QMessageBox::Warning, question + "\n" + QString::fromStdString(problem->text()),

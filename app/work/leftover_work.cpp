@@ -46,7 +46,8 @@ void LeftoverWork::takeUp(const QString &path) {
     return m_messages.complain(tr("Another window has taken up this work already."));
   m_model.leftSessions() = work->left;
   m_files.startWith(work->session, work->file);
-  m_files.setLessonWorks(work->lessons);
+  if (work->lessons)
+    m_files.setLessonWorks(*work->lessons);
   if (!work->file || work->file->text != writeSession(work->session))
     m_model.history().resetClean();
   const auto drawn = std::make_shared<QMetaObject::Connection>();

@@ -91,7 +91,7 @@ std::string toText(const UnsavedWork &work) {
   return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
                                    {"left", left},
                                    {"file", toJson(work.file.get())},
-                                   {"lessons", toJson(work.lessons)}})
+                                   {"lessons", work.lessons ? toJson(*work.lessons) : QJsonValue()}})
       .toJson()
       .toStdString();
 }
@@ -107,7 +107,10 @@ std::optional<UnsavedWork> readWork(const QString &path) {
   auto session = read(json["session"]);
   if (!session)
     return {};
-  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"]), lessonWorksFrom(json["lessons"])};
+  UnsavedWork work{std::move(*session),
+                   {},
+                   fileFrom(json["file"]),
+                   std::make_shared<const LessonWorks>(lessonWorksFrom(json["lessons"]))};
   for (const QJsonValue &other : json["left"].toArray())
     if (auto left = read(other))
       work.left[left->lesson] = *left;

@@ -23,7 +23,8 @@ struct UnsavedWork {
   std::map<std::string, Session> left; ///< sessions of other lessons that were left with changes
   /// Where Save would write the session; null: it asks. Shared, as work is prepared at every change.
   std::shared_ptr<const KnownFile> file;
-  LessonWorks lessons{}; ///< that are being written
+  /// That are being written; null for none. Shared likewise.
+  std::shared_ptr<const LessonWorks> lessons{};
 };
 
 /// Keeps unsaved work in a file of its own, which nobody but the user may read. A lock beside the file tells

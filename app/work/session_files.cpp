@@ -42,7 +42,7 @@ SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages
 
 void SessionFiles::startWith(const Session &session, std::shared_ptr<const KnownFile> file) {
   m_file = std::move(file);
-  dropLesson();
+  dropLesson(session);
   m_model.startWith(session);
   emit changed();
 }
@@ -63,7 +63,7 @@ void SessionFiles::open(const QString &file) {
     known = std::make_shared<KnownFile>(
         KnownFile{QFileInfo(file).absoluteFilePath(), std::move(opened->text), opened->session.lesson});
   m_file = std::move(known);
-  dropLesson();
+  dropLesson(opened->session);
   if (opened->origin == OpenedSession::Origin::Lesson)
     m_model.startWith(std::move(opened->session), std::move(library)); // with the lesson
   else
@@ -140,15 +140,22 @@ bool SessionFiles::hasChanges() const {
 }
 
 void SessionFiles::setLessonWorks(LessonWorks works) {
-  if (works == m_works)
+  if (works == *m_works)
     return;
-  m_works = std::move(works);
+  m_works = std::make_shared<const LessonWorks>(std::move(works));
   emit changed();
 }
 
-void SessionFiles::dropLesson() {
-  if (isExplore(m_model))
-    m_works.erase(exploreId);
+void SessionFiles::dropLesson(const Session &coming) {
+  const auto there = m_works->find(exploreId);
+  if (there == m_works->end())
+    return;
+  const bool isReplaced = coming.lesson == exploreId && there->second.isSaved;
+  if (isExplore(m_model) || isReplaced) {
+    LessonWorks others = *m_works;
+    others.erase(exploreId);
+    m_works = std::make_shared<const LessonWorks>(std::move(others));
+  }
 }
 
 bool SessionFiles::mayLeave() {
@@ -175,8 +182,8 @@ bool SessionFiles::askToKeepChanges() {
 }
 
 bool SessionFiles::askToDropLesson() {
-  const auto work = isExplore(m_model) ? m_works.find(exploreId) : m_works.end();
-  if (work == m_works.end() || work->second.isSaved)
+  const auto work = isExplore(m_model) ? m_works->find(exploreId) : m_works->end();
+  if (work == m_works->end() || work->second.isSaved)
     return true;
   const QString title = QString::fromStdString(work->second.draft.title);
   return m_messages.ask(QMessageBox::Warning,
@@ -203,7 +210,7 @@ bool SessionFiles::askToReplace(const KnownFile &file) {
 
 void SessionFiles::dropChanges() {
   if (const auto saved = readSession(m_file->text, m_file->path.toStdString()))
-    startWith(*saved, m_file);
+    m_model.startWith(*saved); // a lesson that is written stays: nobody asked about it
 }
 
 } // namespace halfspace

@@ -53,7 +53,8 @@ public:
   [[nodiscard]] bool hasChanges() const;
 
   /// The lessons that are being written. That of Explore goes with its scene.
-  [[nodiscard]] const LessonWorks &lessonWorks() const { return m_works; }
+  [[nodiscard]] const LessonWorks &lessonWorks() const { return *m_works; }
+  [[nodiscard]] const std::shared_ptr<const LessonWorks> &sharedLessonWorks() const { return m_works; }
   void setLessonWorks(LessonWorks works);
 
   /// Whether another session may take the place of this one: what is typed is entered, changes are asked
@@ -72,8 +73,9 @@ private:
   [[nodiscard]] bool askToKeepChanges();
   /// Whether what is written of a lesson of the scene in Explore may go.
   [[nodiscard]] bool askToDropLesson();
-  /// It goes with the scene that it is made of.
-  void dropLesson();
+  /// What is written of the scene in Explore goes with that, where another session comes; what is not saved
+  /// stays, if nobody was asked.
+  void dropLesson(const Session &coming);
   bool askToReplace(const KnownFile &file);
   /// Back to what the session's file holds.
   void dropChanges();
@@ -82,7 +84,7 @@ private:
   UnfinishedInput &m_input;
   Messages m_messages;
   std::shared_ptr<const KnownFile> m_file;
-  LessonWorks m_works;
+  std::shared_ptr<const LessonWorks> m_works = std::make_shared<const LessonWorks>();
 };
 
 } // namespace halfspace

@@ -89,9 +89,10 @@ std::vector<std::string> liveNames(const Evaluation &evaluation) {
         for (const CoordinateSpec &spec : coordinatesOf(made.given->object))
           add(coordinateId(made.given->id, spec));
   for (const OfferedValue &value : comparableValues(evaluation.scene)) {
-    const std::string_view axis = qualified(value.name).own;
+    const auto dot = value.name.rfind('.');
+    const std::string axis = dot == std::string::npos ? "" : value.name.substr(dot + 1);
     const bool isPart = axis == "x" || axis == "y" || axis == "z"; // words have vectors as a whole
-    add(isPart ? value.name.substr(0, value.name.size() - 2) : value.name);
+    add(isPart ? value.name.substr(0, dot) : value.name);
   }
   return names;
 }

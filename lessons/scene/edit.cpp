@@ -3,6 +3,7 @@
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/scene/scene_checker.h"
+#include "lessons/term/term.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -45,6 +46,8 @@ struct Applier {
   }
 
   Result<Scene> operator()(const AddEntry &edit) {
+    if (auto problem = refuseWrittenAlike(edit.entry.name))
+      return *problem;
     scene.entries.insert(std::min(edit.index, scene.entries.size()), edit.entry);
     return checked(std::move(scene));
   }
@@ -70,6 +73,8 @@ struct Applier {
       return noEntry(edit.name);
     if (edit.entry.name != edit.name)
       rename(*place, {edit.name, edit.entry.name});
+    if (auto problem = edit.entry.name == edit.name ? std::nullopt : refuseWrittenAlike(edit.entry.name))
+      return *problem;
     scene.entries.change(*place, [&](Entry &entry) { entry = edit.entry; });
     return checked(std::move(scene));
   }
@@ -79,6 +84,8 @@ struct Applier {
     if (!place)
       return noEntry(edit.name);
     rename(*place, edit);
+    if (auto problem = refuseWrittenAlike(edit.newName))
+      return *problem;
     return checked(std::move(scene));
   }
 
@@ -124,6 +131,16 @@ struct Applier {
   }
 
 private:
+  /// A new name that is written like another one, P_1 like P1: nobody could tell them apart. Scenes of files
+  /// may have such.
+  [[nodiscard]] std::optional<Problem> refuseWrittenAlike(const std::string &name) const {
+    for (const Entry &entry : scene.entries)
+      if (entry.name != name && writtenName(entry.name) == writtenName(name))
+        return refused(words("“{name}” would be written like “{other}”, which is there already.",
+                             {{"name", shortened(name)}, {"other", entry.name}}));
+    return {};
+  }
+
   void rename(std::size_t place, const RenameEntry &edit) {
     scene.entries.change(place, [&](Entry &entry) { entry.name = edit.newName; });
     for (std::size_t other = 0; other < scene.entries.size(); ++other)

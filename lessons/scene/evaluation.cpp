@@ -23,24 +23,36 @@ bool canStandIn(const ConstructionRole &role, const Object &object) {
   return role.kind == kindOf(object) || role.kind == seenKindOf(object);
 }
 
-/// Whether a mark of a construction's figure is a result, or draws a coordinate of what it makes.
-bool isOfResult(const MarkBase &mark, const EvaluatedEntry &entry) {
-  return mark.role == Role::Result ||
-         std::any_of(entry.offers.begin(), entry.offers.end(),
-                     [&](const OfferedObject &made) { return ownerOf(mark.id) == made.given->id; });
+/// The ids of what a construction makes in an entry.
+std::vector<std::string> idsMadeIn(const Construction &construction, const std::string &entry) {
+  std::vector<std::string> ids;
+  for (const ConstructionRole &made : construction.makes)
+    ids.push_back(entry + "." + made.name);
+  return ids;
 }
 
-/// With the results of a construction in the look that its entry says.
-Figure inLookOf(const EvaluatedEntry &entry, Figure figure) {
-  const bool hasLook = entry.isConstruction() && (entry.look.hue || entry.look.line);
-  for (std::size_t place = 0; place < figure.marks.size() && hasLook; ++place)
-    if (isOfResult(baseOf(figure.marks[place]), entry))
-      figure.marks.change(place, [&](Mark &mark) {
-        Look &look = baseOf(mark).look;
-        look.hue = entry.look.hue ? entry.look.hue : look.hue;
-        look.line = entry.look.line ? entry.look.line : look.line;
-      });
-  return figure;
+bool isOfResult(const MarkBase &mark, const std::vector<std::string> &made) {
+  return mark.role == Role::Result || std::find(made.begin(), made.end(), ownerOf(mark.id)) != made.end();
+}
+
+/// The outcome with its results in a look.
+std::shared_ptr<const Outcome> inLookOf(const Look &look, std::shared_ptr<const Outcome> plain,
+                                        std::vector<std::string> made) {
+  if (!look.hue && !look.line)
+    return plain;
+  Outcome outcome = *plain;
+  outcome.figure = Lazy<Figure>([look, plain = std::move(plain), made = std::move(made)] {
+    Figure figure = *plain->figure;
+    for (std::size_t place = 0; place < figure.marks.size(); ++place)
+      if (isOfResult(baseOf(figure.marks[place]), made))
+        figure.marks.change(place, [&](Mark &mark) {
+          Look &own = baseOf(mark).look;
+          own.hue = look.hue ? look.hue : own.hue;
+          own.line = look.line ? look.line : own.line;
+        });
+    return figure;
+  });
+  return std::make_shared<const Outcome>(std::move(outcome));
 }
 
 /// With what the labels of its entry are to say.
@@ -162,8 +174,10 @@ private:
     const auto given = shared(std::move(made), look);
     EvaluatedEntry found{name, {}, Naming{name}, {given}};
     found.missing = missing.empty() ? whyNotThere(*given, fault) : missing;
+    if (found.missing.empty())
+      found.along = placesAlong(derived);
     if (!takeOver(found))
-      found.outcome = found.missing.empty() ? outcomeOfDerived(given, derived, placesAlong(derived))
+      found.outcome = found.missing.empty() ? outcomeOfDerived(given, derived, found.along)
                                             : withoutAnObject(found.missing);
     found.offers = {{"", found.looksAt.front(), found.missing}};
     return found;
@@ -284,8 +298,10 @@ private:
       }
     }
     if (!takeOver(found)) {
-      found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)
-                                            : withoutAnObject(found.missing);
+      found.outcome = found.missing.empty()
+                          ? inLookOf(look, construction->evaluate(found.naming, found.looksAt),
+                                     idsMadeIn(*construction, entry.name))
+                          : withoutAnObject(found.missing);
       found.offers = offersOf(*construction, found);
     }
     return found;
@@ -314,7 +330,7 @@ private:
   static std::string whyNotMade(const Given<Object> &made, const EvaluatedEntry &maker) {
     if (!maker.missing.empty())
       return maker.missing;
-    if (findMark(*maker.outcome->figure, made.id))
+    if (!maker.outcome->told->degenerate && findMark(*maker.outcome->figure, made.id))
       return words("The numbers of {object} are no fractions: nothing can be made of it.",
                    {{"object", plainText(made.symbol)}});
     return words("{why} So there is no {object} to go on with.",
@@ -331,7 +347,8 @@ private:
   bool takeOver(EvaluatedEntry &entry) const {
     const EvaluatedEntry *old = m_before.find(entry.name);
     if (!old || old->construction != entry.construction || old->missing != entry.missing ||
-        !(old->naming == entry.naming) || old->look != entry.look || !areSame(old->looksAt, entry.looksAt))
+        !(old->naming == entry.naming) || old->look != entry.look || old->along != entry.along ||
+        !areSame(old->looksAt, entry.looksAt))
       return false;
     entry.looksAt = old->looksAt;
     entry.outcome = old->outcome;
@@ -345,6 +362,11 @@ private:
 };
 
 } // namespace
+
+bool isOfResult(const MarkBase &mark, const EvaluatedEntry &entry) {
+  const Construction *construction = findConstruction(entry.construction);
+  return construction && isOfResult(mark, idsMadeIn(*construction, entry.name));
+}
 
 Evaluation evaluate(const Scene &scene, const Evaluation &before) {
   return Evaluator(scene, before).evaluated();
@@ -371,10 +393,8 @@ Figure figureOf(const Evaluation &evaluation) {
     const Entry &said = *evaluation.scene.entries.find(entry.name);
     if (said.isHidden)
       continue;
-    Figure own = inLookOf(entry, *entry.outcome->figure);
-    if (said.label)
-      own = labelled(std::move(own), *said.label);
-    all.marks.append(own.marks);
+    const Figure &own = *entry.outcome->figure;
+    all.marks.append(said.label ? labelled(own, *said.label).marks : own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }
   return withoutHiddenLabels(reaching(std::move(all)), evaluation.scene.labels);

@@ -30,7 +30,8 @@ struct EvaluatedEntry {
   /// An object as it stands in the scene, a bound one by its freedoms; null for a construction.
   std::shared_ptr<const Given<Object>> own{};
   std::vector<OfferedObject> offers{};
-  Look look{}; ///< of the results of a construction
+  Look look{};                ///< of the results of a construction
+  std::vector<Place> along{}; ///< what a plane was laid through: it is drawn as far as that
 
   [[nodiscard]] bool isConstruction() const { return !construction.empty(); }
 };
@@ -56,6 +57,9 @@ struct Evaluation {
 
 /// What the entry's ray meets of many triangles; nothing where there is no such entry.
 [[nodiscard]] const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entry);
+
+/// Whether a mark of a construction's figure is a result, or draws a coordinate of what it makes.
+[[nodiscard]] bool isOfResult(const MarkBase &mark, const EvaluatedEntry &entry);
 
 /// The marks of all entries that are not hidden, without the labels that somebody has hidden.
 [[nodiscard]] Figure figureOf(const Evaluation &evaluation);

@@ -4,6 +4,8 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/kinds/sphere.h"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -94,6 +96,11 @@ bool areBuiltAlike(const Entry &a, const Entry &b) {
                                    ? &first->kind() == &second->kind() && first->size() == second->size()
                                    : a.content == b.content;
   return a.name == b.name && a.on == b.on && haveSameContent;
+}
+
+bool areBuiltAlike(const Scene &a, const Scene &b) {
+  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                    [](const Entry &x, const Entry &y) { return areBuiltAlike(x, y); });
 }
 
 const Object *findObject(const Scene &scene, std::string_view name) {

@@ -70,7 +70,8 @@ struct Entry {
 /// Whether there is a picture of the entry, which can be coloured and hidden: of numbers there is none.
 [[nodiscard]] bool isDrawn(const Entry &entry);
 
-/// Whether the entry's picture has lines, which can be dashed: not so a point's, a ball's or a mesh's.
+/// Whether the entry's picture has lines, which can be dashed: not so a point's, a ball's or a mesh's. A
+/// construction's may have some.
 [[nodiscard]] bool hasLines(const Entry &entry);
 
 /// Whether the entry is an object that lies on another.
@@ -86,6 +87,9 @@ struct Scene {
   LabelsByHand labels{}; ///< of marks of its entries
   bool operator==(const Scene &) const = default;
 };
+
+/// Whether two scenes differ in the numbers of their objects and in their looks alone.
+[[nodiscard]] bool areBuiltAlike(const Scene &a, const Scene &b);
 
 /// The name of the entry that has an object: `distance` for the id `distance.F`, `Q` for `Q`.
 [[nodiscard]] inline std::string ownerOf(std::string_view objectId) {

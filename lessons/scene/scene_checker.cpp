@@ -8,7 +8,6 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/solid.h"
 #include "lessons/scene/formula_names.h"
-#include "lessons/term/term.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -94,7 +93,6 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
   if (auto problem = checkName(entry.name))
     return problem;
   m_names.insert(entry.name);
-  m_spelled.emplace(spelledName(entry.name), entry.name);
   if (auto problem = checkLook(entry))
     return problem;
   if (const auto *object = std::get_if<Object>(&entry.content)) {
@@ -138,9 +136,6 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
     return problemWith(
         "name",
         words("The name “{name}” is taken by an entry above. Every name may stand once.", {{"name", name}}));
-  if (const auto alike = m_spelled.find(spelledName(name)); alike != m_spelled.end())
-    return problemWith("name", words("“{name}” would be written like “{other}”, which is there already.",
-                                     {{"name", name}, {"other", alike->second}}));
   return {};
 }
 

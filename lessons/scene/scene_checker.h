@@ -55,7 +55,6 @@ private:
   std::unordered_map<std::string, std::string_view> m_kinds;          ///< of what can be looked at, by id
   std::unordered_map<std::string, std::vector<std::string>> m_makers; ///< of what is made, by its own name
   std::unordered_set<std::string> m_names;                            ///< of the entries
-  std::unordered_map<std::string, std::string> m_spelled; ///< their names, by how they are written
 };
 
 /// What is wrong with the first entry that something is wrong with.

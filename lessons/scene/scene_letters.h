@@ -32,7 +32,7 @@ public:
   [[nodiscard]] Naming namingOf(const Entry &entry) const;
 
 private:
-  void count(std::string_view name) { ++m_count[std::string(spelledLetter(spelledName(name)))]; }
+  void count(std::string_view name) { ++m_count[std::string(spelledLetter(writtenName(name)))]; }
   void countCoordinates(const Object &object);
   [[nodiscard]] bool isShared(std::string_view name) const;
   [[nodiscard]] Symbol symbolOfMade(const std::string &entry, const std::string &name) const;

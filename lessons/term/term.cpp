@@ -98,7 +98,7 @@ std::string_view spelledLetter(std::string_view name) {
   return greek ? greek->letter : name;
 }
 
-std::string spelledName(std::string_view name) {
+std::string writtenName(std::string_view name) {
   const auto line = name.find('_');
   const std::string_view letters = name.substr(0, line);
   const std::string_view index = line == std::string_view::npos ? "" : name.substr(line + 1);
@@ -108,7 +108,7 @@ std::string spelledName(std::string_view name) {
 }
 
 Symbol symbolOf(std::string_view entry) {
-  const std::string name = spelledName(entry);
+  const std::string name = writtenName(entry);
   const auto lastOther = name.find_last_not_of("0123456789");
   const bool isPlain = lastOther != std::string_view::npos && isLetter(name[lastOther]);
   const std::string letters(name.substr(0, isPlain ? lastOther + 1 : name.size()));

@@ -34,8 +34,8 @@ struct Symbol {
 [[nodiscard]] Symbol word(std::string word);
 /// The Greek letter that a name spells out, as files write it: λ for lambda; other names are themselves.
 [[nodiscard]] std::string_view spelledLetter(std::string_view name);
-/// A name as it is written, `P12` for P_12; other names are themselves.
-[[nodiscard]] std::string spelledName(std::string_view name);
+/// `P12` for P_12, which is written in the same way; other names are themselves.
+[[nodiscard]] std::string writtenName(std::string_view name);
 /// A name as it is spelled: `P12` and `P_12` are P with the index 12; a word, or another name with - or _,
 /// stands upright.
 [[nodiscard]] Symbol symbolOf(std::string_view name);

@@ -103,8 +103,7 @@ ExactVec3 pointOn(const ExactVec3 &normal, const Rational &d) {
   const auto tryPoint = [&](ExactVec3 point, int solved) {
     point[solved] = 0;
     point[solved] = (d - dot(normal, point)) / normal[solved];
-    const bool isNearer = !nearest || dot(point, point) < dot(*nearest, *nearest);
-    if (point[solved].isInteger() && isNearer)
+    if (point[solved].isInteger() && (!nearest || dot(point, point) < dot(*nearest, *nearest)))
       nearest = point;
   };
   for (int axis = 0; axis < 3; ++axis)

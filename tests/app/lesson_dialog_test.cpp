@@ -270,6 +270,22 @@ private slots:
     QCOMPARE(wordsOf(), std::string("Two."));
     QVERIFY2(fixture.model().lesson().scene == scene, "the lesson begins as it began");
 
+    {
+      DialogAnswerer asked([](Author &author) { author.type("words", "Two and a half."); }, {}, {});
+      fixture.item().trigger();
+      QVERIFY(asked.isDone());
+      QVERIFY2(hasUnsaved(fixture.window.files().lessonWorks()), "it is kept until somebody wants it");
+      DialogAnswerer back([](Author &author) { author.type("words", "Two."); }, {}, {});
+      fixture.item().trigger();
+      QVERIFY(back.isDone());
+    }
+    {
+      DialogAnswerer asked([](Author &author) { author.click("discardLesson"); }, {}, {"Discard"});
+      fixture.item().trigger();
+      QVERIFY(asked.isDone());
+      QVERIFY(!hasUnsaved(fixture.window.files().lessonWorks()));
+      QCOMPARE(wordsOf(), std::string("Two."));
+    }
     fixture.window.findChild<QAction *>("goOnInExplore")->trigger();
     fixture.enter("R = (0, 0, 0)");
     QVERIFY(writes("Sides of a plane", "Three.", {"Yes", "Open"}));

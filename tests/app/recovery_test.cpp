@@ -56,8 +56,10 @@ TEST_F(RecoveryTest, LessonsThatAreBeingWritten_AreKeptWithTheWork) {
   const DraftQuestion question{"Where?", "side", {{"positive", "Here"}, {"otherwise", "There"}}, "So."};
   const DraftStep first{"One", "Words: “{f}”\n\n$x$", {"d"}, {"E", "Q"}, question};
   const DraftStep second{"Two", "", {}, {}, {}, DraftTask{"Do it.", "side ="}};
-  work.lessons["explore"] = {{"", "Half", {first, second}}, {}, false};
-  work.lessons["mine"] = {{"", "Mine", {second}}, {"/tmp/mine.md", "---\n", "mine"}, true};
+  LessonWorks lessons;
+  lessons["explore"] = {{"", "Half", {first, second}}, {}, false};
+  lessons["mine"] = {{"", "Mine", {second}}, {"/tmp/mine.md", "---\n", "mine"}, true};
+  work.lessons = std::make_shared<const LessonWorks>(lessons);
   {
     Recovery recovery(folder.path());
     ASSERT_FALSE(recovery.keep(work));
@@ -66,10 +68,10 @@ TEST_F(RecoveryTest, LessonsThatAreBeingWritten_AreKeptWithTheWork) {
   Recovery recovery(folder.path());
   const auto leftovers = recovery.leftovers();
   ASSERT_EQ(leftovers.size(), 1U);
-  EXPECT_EQ(leftovers.front().work.lessons, work.lessons);
-  EXPECT_TRUE(hasUnsaved(work.lessons));
-  work.lessons.erase("explore");
-  EXPECT_FALSE(hasUnsaved(work.lessons));
+  EXPECT_EQ(*leftovers.front().work.lessons, lessons);
+  EXPECT_TRUE(hasUnsaved(lessons));
+  lessons.erase("explore");
+  EXPECT_FALSE(hasUnsaved(lessons));
 }
 
 TEST_F(RecoveryTest, OfAProgramThatLives_IsLeftAlone_AndOfferedOnceItIsKilled) {

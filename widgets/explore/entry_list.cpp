@@ -66,15 +66,17 @@ private:
 };
 
 /// Whether the entry is drawn in a colour of its own: an object is, and of a construction its results are.
-bool isColored(const Entry &entry, const Figure &figure) {
-  const auto isResult = [](const Mark &mark) { return baseOf(mark).role == Role::Result; };
+bool isColored(const Entry &entry, const EvaluatedEntry &evaluated) {
+  const Figure &figure = *evaluated.outcome->figure;
+  const auto isResult = [&](const Mark &mark) { return isOfResult(baseOf(mark), evaluated); };
   return isDrawn(entry) && (kindOf(entry) || std::any_of(figure.marks.begin(), figure.marks.end(), isResult));
 }
 
 /// Whether its lines can be dashed.
-bool isLined(const Entry &entry, const Figure &figure) {
-  const auto isLine = [](const Mark &mark) {
-    return baseOf(mark).role == Role::Result && !std::holds_alternative<PointMark>(mark) &&
+bool isLined(const Entry &entry, const EvaluatedEntry &evaluated) {
+  const Figure &figure = *evaluated.outcome->figure;
+  const auto isLine = [&](const Mark &mark) {
+    return isOfResult(baseOf(mark), evaluated) && !std::holds_alternative<PointMark>(mark) &&
            !std::holds_alternative<SphereMark>(mark);
   };
   return hasLines(entry) && (kindOf(entry) || std::any_of(figure.marks.begin(), figure.marks.end(), isLine));
@@ -244,7 +246,7 @@ void EntryList::addLabelMenu(QMenu &menu, const Entry &entry) {
 }
 
 void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
-  if (!isColored(entry, *m_model.evaluation().find(entry.name)->outcome->figure))
+  if (!isColored(entry, *m_model.evaluation().find(entry.name)))
     return;
   QMenu &colors = *menu.addMenu(tr("&Colour"));
   colors.setObjectName("colorMenu");
@@ -261,7 +263,7 @@ void EntryList::addColorMenu(QMenu &menu, const Entry &entry) {
 }
 
 void EntryList::addLineMenu(QMenu &menu, const Entry &entry) {
-  if (!isLined(entry, *m_model.evaluation().find(entry.name)->outcome->figure))
+  if (!isLined(entry, *m_model.evaluation().find(entry.name)))
     return;
   QMenu &lines = *menu.addMenu(tr("&Lines"));
   lines.setObjectName("lineMenu");

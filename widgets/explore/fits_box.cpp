@@ -74,7 +74,7 @@ void FitsBox::takeSelection() {
 
 std::optional<Entry> FitsBox::completed(const Fit &wanting) const {
   const auto &ids = m_selection.ids();
-  std::vector<std::string> all = m_shownFor;
+  std::vector<std::string> all = m_asked.ids;
   if (ids.empty() || std::find(all.begin(), all.end(), ids.back()) != all.end())
     return {};
   all.push_back(ids.back());
@@ -88,17 +88,15 @@ std::optional<Entry> FitsBox::completed(const Fit &wanting) const {
 
 void FitsBox::showFits() {
   const Scene &scene = m_model.session().scene;
-  const QString missing = missingOf(m_selection.ids());
-  if (m_selection.ids() == m_shownFor && m_model.evaluation().plan == m_plan && missing == m_missing &&
-      m_buttons)
+  Asked asked{m_selection.ids(), m_model.evaluation().plan, missingOf(m_selection.ids())};
+  if (asked == m_asked && m_buttons)
     return;          // a drag changes numbers, not what fits
   m_wanting.reset(); // it was about another scene, or another selection
-  m_shownFor = m_selection.ids();
-  m_plan = m_model.evaluation().plan;
-  m_missing = missing;
-  const bool isAsked = isExplore(m_model) && !m_shownFor.empty() && missing.isEmpty();
-  m_fits = isAsked ? fitsFor(scene, m_shownFor) : std::vector<Fit>();
+  m_asked = std::move(asked);
+  const bool areAll = isExplore(m_model) && !m_asked.ids.empty() && m_asked.missing.isEmpty();
+  m_fits = areAll ? fitsFor(scene, m_asked.ids) : std::vector<Fit>();
   m_pointer = QCursor::pos();
+  m_previewed = nullptr;
   delete m_buttons;
   m_buttons = new QWidget;
   auto *flow = new FlowLayout(m_buttons);
@@ -108,14 +106,14 @@ void FitsBox::showFits() {
   for (const Fit &fit : m_fits)
     addButton(fit);
   QStringList names;
-  for (const std::string &id : m_shownFor)
+  for (const std::string &id : m_asked.ids)
     names << QString::fromStdString(id);
-  m_heading->setText(m_shownFor.empty()
+  m_heading->setText(m_asked.ids.empty()
                          ? tr("Select objects here or in the picture (Ctrl for several): what can be made of "
                               "them is offered here.")
-                     : !missing.isEmpty() ? missing
-                     : m_fits.empty()     ? tr("There is nothing to be made of %1.").arg(names.join(", "))
-                                          : tr("Of %1 can be made:").arg(names.join(", ")));
+                     : !m_asked.missing.isEmpty() ? m_asked.missing
+                     : m_fits.empty() ? tr("There is nothing to be made of %1.").arg(names.join(", "))
+                                      : tr("Of %1 can be made:").arg(names.join(", ")));
   preview({});
 }
 
@@ -175,12 +173,14 @@ Figure FitsBox::ghostOf(const Entry &entry) const {
 bool FitsBox::eventFilter(QObject *watched, QEvent *event) {
   // A button that comes to a pointer at rest was not pointed at.
   const bool isPointedAt = (event->type() == QEvent::Enter || event->type() == QEvent::HoverMove) &&
-                           QCursor::pos() != m_pointer && !m_isPreviewing;
+                           QCursor::pos() != m_pointer && watched != m_previewed;
   if (isPointedAt || event->type() == QEvent::FocusIn) {
     const Fit &fit = m_fits.at(static_cast<std::size_t>(watched->property(placeProperty).toInt()));
     preview(fit.wanted ? Figure() : ghostOf(fit.entry));
+    m_previewed = watched;
   } else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {
     preview({});
+    m_previewed = nullptr;
   }
   return QWidget::eventFilter(watched, event);
 }

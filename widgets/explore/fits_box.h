@@ -32,6 +32,14 @@ protected:
   void hideEvent(QHideEvent *event) override;
 
 private:
+  /// What the fits depend on.
+  struct Asked {
+    std::vector<std::string> ids{};          ///< the selection
+    std::shared_ptr<const ScenePlan> plan{}; ///< of the scene
+    QString missing{};                       ///< why there are none for what is not there
+    bool operator==(const Asked &) const = default;
+  };
+
   void takeSelection();
   void showFits();
   void addButton(const Fit &fit);
@@ -50,14 +58,13 @@ private:
   SceneSelection &m_selection;
   EntryEdits &m_edits;
   QLabel *m_heading;
-  QWidget *m_buttons = nullptr;            ///< made anew for each selection
-  std::vector<Fit> m_fits;                 ///< in the order of the buttons
-  std::vector<std::string> m_shownFor;     ///< the selection
-  std::shared_ptr<const ScenePlan> m_plan; ///< of the scene that they were found in
-  QString m_missing;                       ///< why there are none for what is not there
-  std::optional<Fit> m_wanting;            ///< that somebody has chosen, and that lacks an object
-  QPoint m_pointer;                        ///< where it was when they were made
+  QWidget *m_buttons = nullptr; ///< made anew for each selection
+  Asked m_asked;                ///< when they were found
+  std::vector<Fit> m_fits;      ///< in the order of the buttons
+  std::optional<Fit> m_wanting; ///< that somebody has chosen, and that lacks an object
+  QPoint m_pointer;             ///< where it was when they were made
   bool m_isPreviewing = false;
+  const QObject *m_previewed = nullptr; ///< the button that was pointed at last
 };
 
 } // namespace halfspace

@@ -60,6 +60,16 @@ TEST(DerivedObjects, PlaneThroughPoints_IsDrawnAsFarAsThem) {
     EXPECT_NE(std::find(patch.covers.begin(), patch.covers.end(), corner), patch.covers.end());
 }
 
+TEST(DerivedObjects, PlaneThroughPoints_FollowsThem_WhereItStaysTheSamePlane) {
+  const Scene scene = typed({"A = (0, 0, 0)", "B = (20, 0, 0)", "C = (0, -20, 0)", "E = plane(A, B, C)"});
+  const Evaluation before = evaluate(scene);
+  const auto moved = apply(scene, ChangeObject{"C", PointObject{{7, -20, 0}}});
+  const Figure figure = figureOf(evaluate(*moved, before));
+  const auto &covers = std::get<PlanePatchMark>(*findMark(figure, "E")).covers;
+  EXPECT_NE(std::find(covers.begin(), covers.end(), Place(7, -20, 0)), covers.end());
+  EXPECT_EQ(std::find(covers.begin(), covers.end(), Place(0, -20, 0)), covers.end());
+}
+
 TEST(DerivedObjects, ThatNothingConcerns_AreTheSameAsBefore) {
   const Scene scene = middleScene();
   const Evaluation before = evaluate(scene);

@@ -147,7 +147,8 @@ TEST(AddEntry, WithANameThatIsWrittenLikeAnother_IsRefused) {
   Scene scene = chain();
   scene.entries.push_back({"P_1", PointObject{}});
   EXPECT_EQ(refusal(scene, AddEntry{0, {"P1", PointObject{}}}),
-            "“P_1” would be written like “P1”, which is there already.");
+            "“P1” would be written like “P_1”, which is there already.");
+  EXPECT_EQ(refusal(scene, RenameEntry{"P_1", "P1"}), "");
   EXPECT_EQ(refusal(scene, AddEntry{0, {"P2", PointObject{}}}), "");
 }
 
