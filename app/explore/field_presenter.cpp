@@ -253,8 +253,11 @@ void FieldPresenter::refuse(const QString &sentence, EntryField::Part part) {
 std::vector<FieldPresenter::Offer> FieldPresenter::mends() {
   std::vector<Offer> offers;
   const char mark = language().decimalMark;
-  for (const std::string &mend : mendsOf(namedLine().line, above(), mark)) {
-    const QString line = QString::fromStdString(mend);
+  const LineWithName named = namedLine();
+  for (const std::string &mend : mendsOf(named.line, above(), mark)) {
+    // A name that nobody has typed is given once the line can be read.
+    const bool isOnlyAdded = mend.starts_with(named.line.substr(0, named.added));
+    const QString line = QString::fromStdString(isOnlyAdded ? mend.substr(named.added) : mend);
     offers.push_back({{line, tr("Enter: take this instead")},
                       [this, line] {
                         m_bar.setText(line);

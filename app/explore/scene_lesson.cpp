@@ -182,6 +182,9 @@ bool SceneLesson::write(const std::string &lesson, LessonWork &work, const Start
   const bool isSaved = dialog.exec() == QDialog::Accepted;
   if (isSaved)
     keep(lesson, work);
+  else if (!work.isSaved && m_files.lessonWorks().contains(lesson))
+    m_messages.say(tr("What you have written is kept: %1 in the File menu goes on with it.")
+                       .arg(m_item.text().remove('&').remove(QStringLiteral("…"))));
   return isSaved;
 }
 

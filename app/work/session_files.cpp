@@ -48,9 +48,12 @@ void SessionFiles::startWith(const Session &session, std::shared_ptr<const Known
 }
 
 void SessionFiles::startNew() {
+  const std::string before = m_model.session().lesson;
   m_model.openLesson(exploreId); // what waits there is asked about; a lesson stays as it is
   if (mayLeave())
     startWith(startOf(exploreLesson()));
+  else
+    m_model.openLesson(before);
 }
 
 void SessionFiles::open(const QString &file) {
@@ -185,11 +188,13 @@ bool SessionFiles::askToDropLesson() {
   const auto work = isExplore(m_model) ? m_works->find(exploreId) : m_works->end();
   if (work == m_works->end() || work->second.isSaved)
     return true;
-  const QString title = QString::fromStdString(work->second.draft.title);
-  return m_messages.ask(QMessageBox::Warning,
-                        tr("The lesson “%1” that you have written of this scene is not saved.").arg(title),
-                        QMessageBox::Discard | QMessageBox::Cancel,
-                        QMessageBox::Cancel) == QMessageBox::Discard;
+  const QString title = QString::fromStdString(work->second.draft.title).trimmed();
+  return m_messages.ask(
+             QMessageBox::Warning,
+             title.isEmpty()
+                 ? tr("What you have written of a lesson of this scene is not saved.")
+                 : tr("The lesson “%1” that you have written of this scene is not saved.").arg(title),
+             QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Discard;
 }
 
 bool SessionFiles::askToReplace(const KnownFile &file) {

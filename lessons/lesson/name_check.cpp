@@ -229,6 +229,14 @@ private:
     std::string whyNone{};
   };
 
+  /// `d.f, d.side, d.signed_distance`
+  [[nodiscard]] static std::string pathsIn(const EntryNames &entry) {
+    std::string paths;
+    for (const ValueName &value : entry.values)
+      paths += (paths.empty() ? "" : ", ") + entry.name + "." + value.name;
+    return paths;
+  }
+
   [[nodiscard]] Meant valueOf(const std::string &name) const {
     const auto [owner, path] = qualified(name);
     if (const EntryNames *entry = findEntry(owner))
@@ -245,7 +253,10 @@ private:
         bearers.push_back(entry.name);
       }
     }
-    if (name != "case") // that of the last construction
+    if (const EntryNames *entry = findEntry(name); entry && bearers.empty() && !entry->values.empty())
+      meant.whyNone = words("“{name}” has several values: write one of {values}.",
+                            {{"name", name}, {"values", pathsIn(*entry)}});
+    else if (name != "case") // that of the last construction
       meant.whyNone = whyNotOne(words("There is no value “{name}”.", {{"name", name}}), name, bearers, known);
     return meant;
   }

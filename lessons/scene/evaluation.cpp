@@ -32,7 +32,9 @@ std::vector<std::string> idsMadeIn(const Construction &construction, const std::
 }
 
 bool isOfResult(const MarkBase &mark, const std::vector<std::string> &made) {
-  return mark.role == Role::Result || std::find(made.begin(), made.end(), ownerOf(mark.id)) != made.end();
+  return mark.role == Role::Result || std::any_of(made.begin(), made.end(), [&](const std::string &id) {
+           return mark.id == id || mark.id.starts_with(id + "."); // or a coordinate of it
+         });
 }
 
 /// The outcome with its results in a look.

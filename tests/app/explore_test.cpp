@@ -172,6 +172,16 @@ private slots:
     QVERIFY(!fixture.sentence().isEmpty());
   }
 
+  void mendOfALineWithoutAName_leavesTheNameToTheEntry() {
+    ExploreFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const char *line : {"E: z = 0", "F: x = 0", "angle(E, G)"})
+      fixture.enter(line);
+    QVERIFY(!fixture.sentence().isEmpty());
+    QTest::keyClick(&fixture.field(), Qt::Key_Return); // takes what was perhaps meant
+    QCOMPARE(fixture.scene().mid(2), (QStringList{"a = plane-angle(E, F)"}));
+  }
+
   void fitThatWantsAnObject_takesTheNextOneThatIsClicked() {
     ExploreFixture fixture;
     QVERIFY(fixture.ready);
@@ -307,6 +317,7 @@ private slots:
     fixture.chooseInMenu("lineMenu", "Dotted");
     const MarkBase &line = baseOf(*findMark(fixture.model().figure(), "i.g"));
     QVERIFY(hueOf(line) == Hue::Pink && line.look.line == LineStyle::Dotted);
+    QVERIFY(hueOf(baseOf(*findMark(fixture.model().figure(), "i.g.v"))) == Hue::Pink);
     QVERIFY(hueOf(baseOf(*findMark(fixture.model().figure(), "E"))) != Hue::Pink);
     fixture.clickRow("k");
     fixture.chooseInMenu("labelMenu", "Name and Value");

@@ -55,6 +55,13 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
             Texts{});
 }
 
+TEST(NameCheck, NameOfAConstruction_IsNoValue_AndItsValuesAreTold) {
+  const Texts problems = problemsIn("## One\nIt is {d}.\n");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems.front().find("“d” has several values: write one of d."), std::string::npos);
+  EXPECT_NE(problems.front().find("d.signed_distance"), std::string::npos);
+}
+
 TEST(NameCheck, EntriesThatAreHidden_AreThere_AndInThePicture) {
   EXPECT_EQ(problemsIn(hide("E, d, L")), Texts{});
   EXPECT_EQ(problemsIn(hide("E\nF")), Texts{"15: hide: There is no entry “F” in the scene."});
