@@ -56,6 +56,7 @@ std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
 std::shared_ptr<const Outcome> outcomeOfDerived(const SharedGiven &given, const DerivedObject &derived,
                                                 const std::vector<Place> &places) {
   std::vector<Reach> reaches;
+  reaches.reserve(places.size());
   for (const Place &place : places)
     reaches.push_back({given->id, place});
   Outcome outcome =
