@@ -75,6 +75,7 @@ LessonDialog::LessonDialog(LessonDraft draft, const Evaluation &start, const QSt
   resize(QSize(lettersInAll * fontMetrics().averageCharWidth(), linesInAll * fontMetrics().lineSpacing())
              .boundedTo(screen()->availableSize() * mostOfScreen));
   showSteps();
+  this->check(); // from then on with each change
 }
 
 QWidget *LessonDialog::buttons() {
@@ -149,7 +150,6 @@ void LessonDialog::showSteps() {
     titles << QString::fromStdString(step.title);
   m_steps->show(titles, m_step);
   choose(m_step);
-  check();
 }
 
 void LessonDialog::complain(const QString &sentence) { m_wrong->setText(sentence); }

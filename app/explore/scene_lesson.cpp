@@ -170,7 +170,7 @@ bool SceneLesson::write(const std::string &lesson, LessonWork &work, const Start
     keep(lesson, work);
   });
   connect(&dialog, &LessonDialog::discardWanted, this, [&] {
-    if (!askToDiscard(dialog))
+    if (!askAbove(dialog, tr("Discard what is written here and not saved?"), QMessageBox::Discard))
       return;
     keep(lesson, {});
     dialog.reject();
@@ -207,7 +207,11 @@ QString SceneLesson::askForFile(LessonDialog &dialog, const LessonWork &work) co
 bool SceneLesson::save(LessonDialog &dialog, LessonWork &work, const Start &start) {
   // Made in Explore it may be another lesson.
   const bool isAsked = isExplore(m_model) || work.file.path.isEmpty();
-  if (!isAsked && !mayReplace(work.file, work.file.text) && !askToReplace(dialog, work.file))
+  if (!isAsked && !mayReplace(work.file, work.file.text) &&
+      !askAbove(dialog,
+                tr("Another program has changed %1 since. Replace it with what is written here?")
+                    .arg(QFileInfo(work.file.path).fileName()),
+                QMessageBox::Yes))
     return false;
   const QString file = isAsked ? askForFile(dialog, work) : work.file.path;
   if (file.isEmpty())
@@ -232,18 +236,11 @@ bool SceneLesson::save(LessonDialog &dialog, LessonWork &work, const Start &star
   return true;
 }
 
-bool SceneLesson::askToDiscard(LessonDialog &dialog) {
-  return QMessageBox::question(&dialog, tr("Halfspace"), tr("Discard what is written here and not saved?"),
-                               QMessageBox::Discard | QMessageBox::Cancel,
-                               QMessageBox::Cancel) == QMessageBox::Discard;
-}
-
-bool SceneLesson::askToReplace(LessonDialog &dialog, const KnownFile &file) {
-  return QMessageBox::warning(
-             &dialog, tr("Halfspace"),
-             tr("Another program has changed %1 since. Replace it with what is written here?")
-                 .arg(QFileInfo(file.path).fileName()),
-             QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
+bool SceneLesson::askAbove(LessonDialog &dialog, const QString &question, QMessageBox::StandardButton goOn) {
+  QMessageBox box(QMessageBox::Warning, tr("Halfspace"), question, goOn | QMessageBox::Cancel, &dialog);
+  box.setTextFormat(Qt::PlainText);
+  box.setDefaultButton(QMessageBox::Cancel);
+  return box.exec() == goOn;
 }
 
 void SceneLesson::offerToOpen(const KnownFile &file) {

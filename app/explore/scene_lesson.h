@@ -58,8 +58,9 @@ private:
                                        const Start &start) const;
   /// Writes the lesson to its file, or asks for one; false where it is not written.
   bool save(LessonDialog &dialog, LessonWork &work, const Start &start);
-  [[nodiscard]] static bool askToDiscard(LessonDialog &dialog);
-  [[nodiscard]] static bool askToReplace(LessonDialog &dialog, const KnownFile &file);
+  /// Whether the user wants to go on, and not to cancel.
+  [[nodiscard]] static bool askAbove(LessonDialog &dialog, const QString &question,
+                                     QMessageBox::StandardButton goOn);
   [[nodiscard]] QString askForFile(LessonDialog &dialog, const LessonWork &work) const;
   void offerToOpen(const KnownFile &file);
   /// An id for a title that no other lesson has.

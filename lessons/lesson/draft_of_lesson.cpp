@@ -42,6 +42,8 @@ DraftStep draftOf(const LessonStep &step) {
 } // namespace
 
 std::optional<LessonDraft> draftOf(const Lesson &lesson) {
+  if (lesson.order != 0)
+    return {}; // a draft has no place in a course, and nothing more need be read of those that have
   LessonDraft draft{lesson.id, lesson.title, {}};
   for (const LessonStep &step : lesson.steps)
     draft.steps.push_back(draftOf(step));

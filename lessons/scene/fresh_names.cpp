@@ -53,7 +53,7 @@ bool isUsualLetter(const Kind &kind, char letter) {
 
 FreshNames::FreshNames(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
-    m_spelled.insert(writtenName(entry.name));
+    m_written.insert(writtenName(entry.name));
     if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
       if (const Construction *construction = findConstruction(use->id))
         for (const ConstructionRole &made : construction->makes)
@@ -62,7 +62,7 @@ FreshNames::FreshNames(const Scene &scene) {
 }
 
 bool FreshNames::isFree(const std::string &name) const {
-  return !m_spelled.contains(writtenName(name)) && !m_made.contains(name) &&
+  return !m_written.contains(writtenName(name)) && !m_made.contains(name) &&
          unknowns.find(name) == std::string::npos;
 }
 

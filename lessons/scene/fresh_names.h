@@ -28,7 +28,7 @@ private:
   /// One of the letters that is free, or the first number behind `numbered` with which it is.
   [[nodiscard]] std::string firstFree(std::string_view letters, char numbered) const;
 
-  std::unordered_set<std::string> m_spelled;   ///< the entries' names, as they are written
+  std::unordered_set<std::string> m_written;   ///< the entries' names, as they are written
   std::unordered_set<std::string_view> m_made; ///< what constructions of the scene call what they make
 };
 

@@ -11,7 +11,7 @@ namespace halfspace {
 SceneNames::SceneNames(const Scene &scene) : m_objects(seenObjectsOf(scene)) {
   for (const Entry &entry : scene.entries) {
     m_entries.insert(entry.name);
-    m_spelled.insert(writtenName(entry.name));
+    m_written.insert(writtenName(entry.name));
   }
 }
 

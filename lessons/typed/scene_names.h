@@ -17,7 +17,7 @@ public:
   [[nodiscard]] bool isName(std::string_view name) const;
   [[nodiscard]] bool isTaken(const std::string &name) const { return m_entries.contains(name); }
   /// Whether another entry can go by a name: none is spelled like it.
-  [[nodiscard]] bool isFree(const std::string &name) const { return !m_spelled.contains(writtenName(name)); }
+  [[nodiscard]] bool isFree(const std::string &name) const { return !m_written.contains(writtenName(name)); }
   /// The id of the object of a kind that is meant by a name: `Q`, `distance.F`, F where one entry alone makes
   /// an F, or `distance` where that makes one such object alone; empty where there is none.
   [[nodiscard]] std::string find(const std::string &name, std::string_view kind) const;
@@ -38,7 +38,7 @@ private:
   [[nodiscard]] std::vector<std::string> idsFor(const std::string &name) const;
 
   std::set<std::string, std::less<>> m_entries; ///< all names of entries
-  std::set<std::string> m_spelled;              ///< … as they are written
+  std::set<std::string> m_written;              ///< … as they are written
   std::vector<SeenObject> m_objects;            ///< in their order
 };
 

@@ -131,6 +131,11 @@ public:
     for (const char *line : {"Q = (11, 15, 8)", "E: x + 2y + 2z = 27", "d = distance(Q, E)"})
       enter(line);
   }
+  /// Where a lesson can be saved.
+  QString file() const { return m_folder.filePath("sides.md"); }
+
+private:
+  QTemporaryDir m_folder;
 };
 
 constexpr int shownTab = 1;
@@ -174,8 +179,6 @@ private slots:
   }
 
   void lesson_writtenWithKeysAndMouse_isSaved_checked_opened_andWorks() {
-    const QTemporaryDir folder;
-    const QString file = folder.filePath("sides.md");
     AuthorFixture fixture;
     QVERIFY(fixture.ready);
     fixture.buildScene();
@@ -200,11 +203,11 @@ private slots:
           QCOMPARE(author.complaint(), QString());
           author.click("saveLesson");
         },
-        file, {"Open"});
+        fixture.file(), {"Open"});
     fixture.item().trigger();
     QVERIFY(asked.isDone());
 
-    const Checked checked = checkLessons({file.toStdString()}, readLessons(TEST_LESSONS_FOLDER));
+    const Checked checked = checkLessons({fixture.file().toStdString()}, readLessons(TEST_LESSONS_FOLDER));
     QCOMPARE(checked.lessons, std::size_t(1));
     QVERIFY2(checked.problems.empty(),
              checked.problems.empty() ? "" : checked.problems.front().text().c_str());
@@ -235,8 +238,6 @@ private slots:
   }
 
   void lessonThatWasMadeSo_isMadeAnew_whereItIsOpen_andFromExplore() {
-    const QTemporaryDir folder;
-    const QString file = folder.filePath("sides.md");
     AuthorFixture fixture;
     QVERIFY(fixture.ready);
     fixture.buildScene();
@@ -248,7 +249,7 @@ private slots:
             author.type("words", words);
             author.click("saveLesson");
           },
-          file, buttons);
+          fixture.file(), buttons);
       fixture.item().trigger();
       return asked.isDone();
     };
